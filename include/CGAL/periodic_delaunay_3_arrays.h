@@ -35,6 +35,11 @@ Periodic_3_arrays<Index> insert_into_box(Source& points, const std::array<double
   Call_of_core<NamedParameters> call(points.points().size(), Build_options(), std::nullopt, np);
   Built_in_box built = build_in_box(points.points(), weights_of(points), box.data(), call.options,
                                     call.observer, executor);
+  if (points.points().size() == 0) { // as for delaunay_3_arrays()
+    call.observer.phase_begins(Surface_insertion_phase::INSERTION, 1);
+    call.observer.insertion_ends(Insertion_counts());
+    call.observer.phase_begins(Surface_insertion_phase::FINISH);
+  }
   auto arrays = arrays_of_box<Index>(built, points.points(), box);
   call.observer.phase_begins(Surface_insertion_phase::DONE);
   return arrays;

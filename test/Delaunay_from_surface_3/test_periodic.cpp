@@ -468,15 +468,69 @@ BOOST_AUTO_TEST_CASE(few_copies_in_thin_boxes)
     }
 }
 
-// The others are not taken for as heavy, nor do they need more copies.
+// The others are not taken for as heavy, nor are they rounded more, nor do they need more copies.
 BOOST_AUTO_TEST_CASE(few_copies_beside_a_heavy_point)
 {
   const Points points = random_points(10000);
-  Weights weights(points.size(), 0);
-  weights[5] = .1;
-  const Arrays arrays = periodic_regular_3_arrays(points, weights, Box{1, 1, 1});
-  BOOST_TEST(arrays.number_of_copies() < 15000u);
+  for (const double weight : {.1, -1e30, -1e32}) {
+    Weights weights(points.size(), 0);
+    weights[5] = weight;
+    const Arrays arrays = periodic_regular_3_arrays(points, weights, Box{1, 1, 1});
+    BOOST_TEST(arrays.number_of_copies() < 15000u);
+    BOOST_TEST(std::abs(share_of_volume(arrays, points, {1, 1, 1}) - 1) < 1e-9);
+  }
+}
+
+// Points that are equal to others, or hidden, have no copies.
+BOOST_AUTO_TEST_CASE(no_copies_of_equal_points)
+{
+  Points points = random_points(5000);
+  for (std::size_t i = 0; i < points.size(); i += 2)
+    points[i] = {0, 0, 0};
+  const Arrays arrays = periodic_delaunay_3_arrays(points, Box{1, 1, 1});
+  BOOST_TEST(arrays.number_of_copies() < 6000u);
   BOOST_TEST(std::abs(share_of_volume(arrays, points, {1, 1, 1}) - 1) < 1e-9);
+  const Points all_equal(5000, {.5, .5, .5});
+  BOOST_TEST(periodic_delaunay_3_arrays(all_equal, Box{1, 1, 1}).number_of_copies() < 100u);
+}
+
+namespace {
+
+struct Logging_visitor : CGAL::Default_surface_insertion_visitor_3
+{
+  std::size_t inserted = 0, ends = 0;
+  bool is_ended = false, is_right = true;
+
+  bool go_further(std::size_t n)
+  {
+    is_right = is_right && !is_ended && n >= inserted;
+    inserted = n;
+    return true;
+  }
+  template <class Target, class Hints>
+  void insertion_ends(const Target&, const Hints&)
+  {
+    ++ends;
+    is_ended = true;
+  }
+};
+
+} // namespace
+
+// The insertions end once, after all copies, whose number grows.
+BOOST_AUTO_TEST_CASE(visitors)
+{
+  for (const std::size_t n : {0, 10, 3000}) {
+    Points points = random_points(n);
+    for (auto& p : points)
+      p[2] *= 300;
+    Logging_visitor visitor;
+    periodic_delaunay_3_arrays(points, Box{1, 1, 300},
+                               CGAL::parameters::visitor(std::ref(visitor)));
+    BOOST_TEST(visitor.ends == 1u);
+    BOOST_TEST(visitor.is_right);
+    BOOST_TEST(visitor.inserted >= (n == 3000 ? n : 0));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(many_threads)

@@ -51,6 +51,7 @@ public:
     namespace core = CGAL::Delaunay_from_surface_3::core;
     const core::Box_of_points<W> box(core::Point_array(m_points[0].data(), m_points.size()),
                                      W ? m_weights.data() : nullptr, m_box.data());
+    m_rounding = box.rounding();
     auto copies = box.copies();
     for (std::size_t k = 0; k < number; ++k)
       copies.copies.push_back({core::Id(k),
@@ -299,7 +300,7 @@ private:
                               const std::array<std::size_t, 4>& v)
   {
     namespace core = CGAL::Delaunay_from_surface_3::core;
-    const core::Empty_ball ball(places, exact);
+    const core::Empty_ball ball(places, exact, m_rounding);
     m_tally.count(ball.is_known() ? "balls: known" : "balls: unknown");
     if (!ball.is_known())
       return "";
@@ -345,6 +346,7 @@ private:
   int m_side = 1, m_noise = 0;
   bool m_are_scaled = true;
   std::array<double, 3> m_box;
+  double m_rounding = 0;
   std::vector<std::array<double, 3>> m_points;
   std::vector<double> m_weights;
   std::vector<std::array<int, 3>> m_shifts;

@@ -223,14 +223,18 @@ private:
       const Corners of = corners(m_cells[c]);
       if (m_home != nullptr || !are_at_home(of)) {
         const auto from = offset(first_of(of));
+        std::array<std::int32_t, 3> least = from, most = from;
         for (std::size_t k = 0; k < 4; ++k) {
           const auto to = offset(of[k]);
           for (std::size_t a = 0; a < 3; ++a) {
-            if (std::abs(to[a] - from[a]) > (std::numeric_limits<std::int16_t>::max)())
+            least[a] = (std::min)(least[a], to[a]);
+            most[a] = (std::max)(most[a], to[a]);
+            if (most[a] - least[a] > (std::numeric_limits<std::int16_t>::max)())
               throw Surface_input_error(
                   "points " + std::to_string(first_of(of).point) + " and " +
                   std::to_string(of[k].point) +
-                  " are too many periods apart: wrap them into the box first");
+                  ", or another corner of their tetrahedron, are too many periods apart: wrap them "
+                  "into the box first");
             offsets[c][k][a] = std::int16_t(to[a] - from[a]);
           }
         }

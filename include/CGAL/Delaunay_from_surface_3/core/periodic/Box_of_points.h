@@ -79,6 +79,9 @@ public:
   bool has_period(std::size_t axis) const { return m_periods.lengths[axis] > 0; }
   double period(std::size_t axis) const { return m_scaled_periods[axis]; } // scaled, or 0
 
+  // A power of 2; differences of scaled and rounded coordinates are off by no more.
+  double rounding() const { return m_rounding; }
+
   double shortest_period() const
   {
     double shortest = std::numeric_limits<double>::infinity();
@@ -206,6 +209,10 @@ private:
       throw Surface_input_error("box: copies of the points would have infinite coordinates");
     m_scaled = Power_of_scale(largest, least, weights, has_weight ? m_number_of_points : 0);
     m_periods.are_scaled = m_scaled.is_exact();
+    const double farthest_place[3] = {largest, 0, 0};
+    int exponent = 0;
+    std::frexp(m_scaled(farthest_place)[0], &exponent);
+    m_rounding = std::ldexp(1, exponent - 52);
     const auto scaled = m_scaled(m_periods.lengths);
     std::copy(scaled.begin(), scaled.end(), m_scaled_periods);
     if (!m_periods.are_scaled)
@@ -224,6 +231,7 @@ private:
   Periods m_periods = {};
   double m_scaled_periods[3] = {};
   Power_of_scale m_scaled{0, 1};
+  double m_rounding = 0;
   int m_reach[3] = {};
   std::vector<std::array<std::int32_t, 3>> m_wraps; // by how many periods; empty if by none
   std::vector<std::uint8_t> m_is_moved; // a bit for each axis along which home is 1 further

@@ -66,9 +66,12 @@ private:
 class Empty_ball
 {
 public:
-  // The ball of four vertices, given by their rounded places and their exact ones.
+  // The ball of four vertices, given by their rounded places, whose differences are off by at most
+  // `rounding`, and their exact ones.
   template <bool has_weight>
-  Empty_ball(const Rounded_place<has_weight>* places, const Copy_place<has_weight>* exact)
+  Empty_ball(const Rounded_place<has_weight>* places, const Copy_place<has_weight>* exact,
+             double rounding)
+    : off(rounding)
   {
     std::copy_n(coordinates_of(places[0]), 3, m_origin);
     std::array<double, 3> v[3];
@@ -139,8 +142,6 @@ public:
   }
 
 private:
-  static constexpr double off = 0x1p6; // by how much a difference of rounded coordinates may be
-
   static double high(double n) { return n; }
   template <class Number>
   static double high(const Number& n)
@@ -217,6 +218,7 @@ private:
 
   bool is_uncertain() const { return !(m_a > 0x1p10 * m_off_a); }
 
+  const double off; // by how much a difference of rounded coordinates may be
   double m_origin[3], m_weight = 0;
   double m_most_more_weight = 0; // that another vertex has
   double m_n[3], m_a = 0, m_off_a = 0, m_off_n = 0;

@@ -89,8 +89,10 @@ public:
 
   // The nodes 2 k and 2 k + 1 are the halves of node k; the root is 1, and the leaves come last. Some are
   // empty.
+  std::size_t number_of_nodes() const { return m_bounds.size(); }
   bool is_leaf(std::size_t node) const { return node >= m_first_leaf; }
   std::size_t leaf(std::size_t node) const { return node - m_first_leaf; }
+  std::size_t node_of_leaf(std::size_t leaf) const { return m_first_leaf + leaf; }
   const Bounds_of_points& bounds(std::size_t node = 1) const { return m_bounds[node]; }
 
 private:
@@ -117,13 +119,35 @@ public:
     : m_box(box)
     , m_points(
           positions, [this](std::size_t i) { return weight(i); }, executor)
-    , m_next_to_home(m_points.number_of_leaves())
+    , m_next_to_home(m_points.number_of_nodes())
     , m_patches(std::size_t((std::min)(std::cbrt(double(m_points.number_of_leaves())), 64.)) + 1)
   {
+    for (std::size_t node = m_next_to_home.size() - 1; node > 0; --node)
+      if (m_points.bounds(node).is_empty())
+        set_bits(node, all_bits);
   }
 
-  const std::size_t* begin(const Copy& copy) const { return m_points.begin(copy.leaf); }
-  const std::size_t* end(const Copy& copy) const { return m_points.end(copy.leaf); }
+  // Calls visit(i) for the points of a leaf whose copies matter.
+  template <class Visit>
+  void visit_points(std::size_t leaf, const Visit& visit) const
+  {
+    for (const std::size_t* i = m_points.begin(leaf); i != m_points.end(leaf); ++i)
+      if (m_is_left_out.empty() || !m_is_left_out[*i])
+        visit(*i);
+  }
+
+  // Leaves out a point that has no vertex, because it is equal to another at home, or hidden. So are its
+  // copies, which need not be inserted.
+  void leave_out(std::size_t i)
+  {
+    m_is_left_out.resize(m_box.number_of_points());
+    m_is_left_out[i] = true;
+    const std::size_t leaf = m_points.leaf_of(i);
+    bool is_any_left = false;
+    visit_points(leaf, [&](std::size_t) { is_any_left = true; });
+    if (!is_any_left)
+      set_bits(m_points.node_of_leaf(leaf), all_bits);
+  }
 
   // Takes note of a copy that is to be inserted, if it is not yet.
   void request(const Copy& copy)
@@ -131,7 +155,7 @@ public:
     if (has(copy.leaf, copy.shift))
       return;
     if (is_next_to_home(copy.shift))
-      m_next_to_home[copy.leaf] |= bit_of(copy.shift);
+      set_bits(m_points.node_of_leaf(copy.leaf), bit_of(copy.shift));
     else
       m_far.insert({copy.leaf, copy.shift});
     m_requested.push_back(copy);
@@ -176,28 +200,30 @@ public:
     for (std::size_t a = 0; a < 3; ++a) // copies by two periods are left
       m_depths[a][0] = m_depths[a][1] = std::vector<double>(
           m_patches * m_patches,
-          (std::min)(most, 2 * m_box.period(a) - (home().high[a] - home().low[a]) - slack));
+          (std::min)(most, 2 * m_box.period(a) - (home().high[a] - home().low[a]) - slack()));
     visit_around([most](const Bounds&) { return most; },
                  [&](std::size_t leaf, const Shift& t, double) {
                    if (!has(leaf, t))
                      limit_depths(m_points.bounds_of(leaf), t);
                  });
+    for (std::size_t a = 0; a < 3; ++a)
+      for (const bool up : {false, true})
+        m_least_depth[a][up] = *std::min_element(m_depths[a][up].begin(), m_depths[a][up].end());
   }
 
   // Returns true if nothing that is left touches the ball, which must be known.
   bool is_safe(const Empty_ball& ball) const
   {
     const Bounds b = ball.bounds(m_points.bounds().weight);
-    bool is_safe = true;
     for (std::size_t a = 0; a < 3; ++a)
       for (const bool up : {false, true}) {
         const double depth = up ? b.high[a] - home().high[a] : home().low[a] - b.low[a];
-        if (m_box.has_period(a) && depth > -slack)
-          visit_patches(a, b, [&](std::size_t patch) {
-            is_safe = is_safe && depth < m_depths[a][up][patch];
-          });
+        const auto is_safe = [&](std::size_t patch) { return depth < m_depths[a][up][patch]; };
+        if (m_box.has_period(a) && depth > -slack() && !(depth < m_least_depth[a][up]) &&
+            !visit_patches(a, b, is_safe))
+          return false;
       }
-    return is_safe;
+    return true;
   }
 
   // Finds the copy of a leaf with the point that is deepest in a ball, of those that are left; if the ball
@@ -219,12 +245,15 @@ public:
     }
     Search search{*this, ball, v};
     search({first, last, 1, m_points.bounds()});
-    copy = search.copy;
+    copy.leaf = search.copy.leaf;
+    copy.shift = search.copy.shift;
     return search.least < std::numeric_limits<double>::infinity();
   }
 
 private:
-  static constexpr double slack = 0x1p8; // positions are off by less
+  static constexpr std::uint32_t all_bits = ~std::uint32_t(0);
+
+  double slack() const { return 4 * m_box.rounding(); } // positions are off by less
 
   const Bounds& home() const { return m_points.bounds(); }
 
@@ -236,10 +265,23 @@ private:
   {
     return std::uint32_t(1) << (9 * t[0] + 3 * t[1] + t[2] + 13);
   }
+  // Also those of the nodes above whose leaves all have them.
+  void set_bits(std::size_t node, std::uint32_t bits)
+  {
+    m_next_to_home[node] |= bits;
+    for (node /= 2; node > 0; node /= 2)
+      m_next_to_home[node] |= m_next_to_home[2 * node] & m_next_to_home[2 * node + 1];
+  }
+
   bool has(std::size_t leaf, const Shift& t) const
   {
-    return is_next_to_home(t) ? (m_next_to_home[leaf] & bit_of(t)) != 0
-                              : m_far.count({leaf, t}) != 0;
+    return has_all(m_points.node_of_leaf(leaf), t);
+  }
+  bool has_all(std::size_t node, const Shift& t) const
+  {
+    return is_next_to_home(t)
+               ? (m_next_to_home[node] & bit_of(t)) != 0
+               : m_points.is_leaf(node) && m_far.count({m_points.leaf(node), t}) != 0;
   }
 
   // How far a box that is moved by a period, or -1, is from home.
@@ -271,10 +313,10 @@ private:
     }
   }
 
-  // The patches of a side that are in the shadow of a box; what lies beside the side has the patches
-  // at its edges.
+  // The patches of a side that are in the shadow of a box, until visit() returns false, as this then does,
+  // too; what lies beside the side has the patches at its edges.
   template <class Visit>
-  void visit_patches(std::size_t axis, const Bounds& b, const Visit& visit) const
+  bool visit_patches(std::size_t axis, const Bounds& b, const Visit& visit) const
   {
     const std::size_t s = (axis + 1) % 3, t = (axis + 2) % 3;
     const auto patch = [&](std::size_t a, double x) {
@@ -284,7 +326,9 @@ private:
     };
     for (std::size_t i = patch(s, b.low[s]), i_end = patch(s, b.high[s]); i <= i_end; ++i)
       for (std::size_t j = patch(t, b.low[t]), j_end = patch(t, b.high[t]); j <= j_end; ++j)
-        visit(i * m_patches + j);
+        if (!visit(i * m_patches + j))
+          return false;
+    return true;
   }
 
   // Lets the depths end before a copy, on the side from which it is farthest.
@@ -294,8 +338,8 @@ private:
     double farthest = 0;
     Bounds moved;
     for (std::size_t a = 0; a < 3; ++a) {
-      moved.low[a] = b.low[a] + t[a] * m_box.period(a) - slack;
-      moved.high[a] = b.high[a] + t[a] * m_box.period(a) + slack;
+      moved.low[a] = b.low[a] + t[a] * m_box.period(a) - slack();
+      moved.high[a] = b.high[a] + t[a] * m_box.period(a) + slack();
       if (t[a] != 0 && (axis == 3 || gap(b, a, t[a]) > farthest)) {
         axis = a;
         farthest = gap(b, a, t[a]);
@@ -303,7 +347,8 @@ private:
     }
     visit_patches(axis, moved, [&](std::size_t patch) {
       double& depth = m_depths[axis][t[axis] > 0][patch];
-      depth = (std::min)(depth, farthest - slack);
+      depth = (std::min)(depth, farthest - slack());
+      return true;
     });
   }
 
@@ -312,13 +357,13 @@ private:
   // whichever are much longer, those first that may have less.
   struct Search
   {
-    // Copies of the points of a node, or if this is 0 of one of them, by shifts from `first` to `last`.
+    // Copies of the points of a node, or of one point of a leaf, by shifts from `first` to `last`.
     struct Part
     {
       Shift first, last;
       std::size_t node;
       Bounds_of_points bounds;
-      std::size_t leaf = 0; // of the point
+      bool is_point = false;
     };
 
     const Leaves_of_box& leaves;
@@ -332,28 +377,25 @@ private:
       const Points_by_space& points = leaves.m_points;
       const std::size_t axis = longest_axis(part);
       const double shifts = length(part, axis);
-      const bool is_leaf = part.node != 0 && points.is_leaf(part.node);
-      const std::size_t leaf = is_leaf ? points.leaf(part.node) : part.leaf;
-      if (shifts == 0 && (part.first == Shift{0, 0, 0} ||
-                          ((is_leaf || part.node == 0) && leaves.has(leaf, part.first))))
+      if (shifts == 0 && (part.first == Shift{0, 0, 0} || leaves.has_all(part.node, part.first)))
         return;
-      if (part.node == 0 && shifts == 0) {
+      if (part.is_point && shifts == 0) {
         least = value(part);
-        copy.leaf = leaf;
+        copy.leaf = points.leaf(part.node);
         copy.shift = part.first;
-      } else if (part.node == 0 || part.bounds.size() < 2 * shifts) {
+      } else if (part.is_point || part.bounds.size() < 2 * shifts) {
         Part lower = part, upper = part;
         lower.last[axis] = part.first[axis] + (part.last[axis] - part.first[axis]) / 2;
         upper.first[axis] = lower.last[axis] + 1;
         descend(lower, upper);
-      } else if (is_leaf) {
-        for (const std::size_t* i = points.begin(leaf); i != points.end(leaf); ++i) {
-          Part point = {part.first, part.last, 0, {}, leaf};
+      } else if (points.is_leaf(part.node)) {
+        leaves.visit_points(points.leaf(part.node), [&](std::size_t i) {
+          Part point = {part.first, part.last, part.node, {}, true};
           const Box& box = leaves.m_box;
-          point.bounds.add(box.position(*i, box.home(*i)).data(), leaves.weight(*i));
+          point.bounds.add(box.position(i, box.home(i)).data(), leaves.weight(i));
           if (value(point) < least)
             (*this)(point);
-        }
+        });
       } else {
         Part lower = part, upper = part;
         lower.node = 2 * part.node;
@@ -413,11 +455,13 @@ private:
 
   const Box& m_box;
   const Points_by_space m_points;
-  std::vector<std::uint32_t> m_next_to_home; // for each leaf, a bit for each of 27 shifts
+  std::vector<std::uint32_t> m_next_to_home; // for each node, a bit for each of 27 shifts
   std::set<std::pair<std::size_t, Shift>> m_far;
   std::vector<Copy> m_requested;
   const std::size_t m_patches;        // along an edge of home
   std::vector<double> m_depths[3][2]; // by axis, side and patch
+  double m_least_depth[3][2] = {};
+  std::vector<bool> m_is_left_out; // empty if no point is
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -108,10 +108,33 @@ private:
       m_leaves.request(neighbor); // so that few points span the space
     m_leaves.request_layer();
     for (const Leaf_copy& copy : m_leaves.take_requested())
-      for (const std::size_t* i = m_leaves.begin(copy); i != m_leaves.end(copy); ++i)
-        source.add(*i, copy.shift);
-    return build_by<Vertex, Insert>(source, options, m_observer, m_executor);
+      m_leaves.visit_points(copy.leaf, [&](std::size_t i) { source.add(i, copy.shift); });
+    Beginning beginning(m_observer);
+    return build_by<Vertex, Insert>(source, options, beginning, m_executor);
   }
+
+  // Tells an observer all but that the insertions end, since others follow.
+  struct Beginning final : Observer
+  {
+    explicit Beginning(Observer& o)
+      : observer(o)
+    {
+    }
+
+    void phase_begins(Surface_insertion_phase phase, std::size_t number) override
+    {
+      if (phase != Surface_insertion_phase::FINISH)
+        observer.phase_begins(phase, number);
+    }
+    void notice(Surface_insertion_notice notice, const char* reason) override
+    {
+      observer.notice(notice, reason);
+    }
+    bool go_further(std::size_t inserted) override { return observer.go_further(inserted); }
+    bool follows_points() const override { return observer.follows_points(); }
+
+    Observer& observer;
+  };
 
   static std::vector<double> positions_of(const Box& box)
   {
@@ -135,21 +158,27 @@ private:
   // Inserts copies until all cells with vertices at home are certain.
   void complete()
   {
+    leave_out_points();
     m_leaves.find_safe_depths();
     std::vector<Id> open;
     bool is_certain = request_for(
         complex().cells_end(), [](std::size_t c) { return Id(c); }, open);
     Write_alone<Vertex>::forget_labels(complex()); // of another inserter
     Inserter<Alone_with_complex<Vertex>> inserter(complex());
+    std::size_t asked = number_of_vertices();
     while (!is_certain) {
+      Id last = 0;
       for (const Leaf_copy& copy : m_leaves.take_requested()) {
-        if (!m_observer.go_further(m_box.number_of_points())) {
-          m_built->outcome = Insertion_outcome::STOPPED;
-          return;
+        if (number_of_vertices() > asked + 256) {
+          asked = number_of_vertices();
+          if (!m_observer.go_further(asked)) {
+            m_built->outcome = Insertion_outcome::STOPPED;
+            return;
+          }
         }
-        Id near = copy.near;
-        for (const std::size_t* i = m_leaves.begin(copy); i != m_leaves.end(copy); ++i)
-          near = insert(inserter, *i, copy.shift, near, open);
+        m_leaves.visit_points(copy.leaf, [&](std::size_t i) {
+          last = insert(inserter, i, copy.shift, nearer(i, copy.shift, last, copy.near), open);
+        });
       }
       std::sort(open.begin(), open.end());
       open.erase(std::unique(open.begin(), open.end()), open.end());
@@ -157,9 +186,43 @@ private:
       is_certain = request_for(
           cells.size(), [&](std::size_t k) { return cells[k]; }, open);
     }
+    m_built->counts += inserter.zone.counts;
+    m_observer.insertion_ends(m_built->counts);
+    m_observer.phase_begins(Surface_insertion_phase::FINISH, 0);
     if constexpr (Vertex::has_weight)
       leave_out_hidden_vertices(*m_built, false);
     m_built->show();
+  }
+
+  std::size_t number_of_vertices() const { return complex().all_own_coordinates().copies.size(); }
+
+  // Those at home that are equal to another there, or hidden. (What is equal to a copy may itself be
+  // what that is a copy of.)
+  void leave_out_points()
+  {
+    for (std::size_t k = 0; k < m_built->vertices.size(); ++k) {
+      const std::size_t i = m_built->order.order[k];
+      const Id v = m_built->vertices[k];
+      if (i < m_box.number_of_points() && v != Complex::vertex_of_point(k) &&
+          (v == 0 || is_at_home(v)))
+        m_leaves.leave_out(i);
+    }
+  }
+
+  // Which of two vertices is nearer to a copy of a point, if the first is one.
+  Id nearer(std::size_t i, const Shift& shift, Id v, Id w) const
+  {
+    if (v == 0)
+      return w;
+    const auto p = m_box.position(m_box.copy(i, shift));
+    const double *const q = complex().vertex(v).coordinates, *const r =
+                                                                 complex().vertex(w).coordinates;
+    double to_v = 0, to_w = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      to_v += (p[a] - q[a]) * (p[a] - q[a]);
+      to_w += (p[a] - r[a]) * (p[a] - r[a]);
+    }
+    return to_v < to_w ? v : w;
   }
 
   // Inserts a copy of a point, and adds its star to `open`. Returns its vertex, or one near it.
@@ -238,7 +301,7 @@ private:
     const auto exact = [&](unsigned k) { return complex().exact_place(cell.v[k]); };
     const typename Vertex::Place places[4] = {place(0), place(1), place(2), place(3)};
     const typename Vertex::Exact_place exact_places[4] = {exact(0), exact(1), exact(2), exact(3)};
-    const Empty_ball ball(places, exact_places);
+    const Empty_ball ball(places, exact_places, m_box.rounding());
     largest_radius = (std::max)(largest_radius, ball.radius());
     return (ball.is_known() && m_leaves.is_safe(ball)) ||
            !m_leaves.find_deepest(ball, complex().vertex(*at_home).coordinates, copy);
