@@ -1237,7 +1237,7 @@ class Periodic(unittest.TestCase):
                 ((1, 1), ValueError, "box: expected three periods, one along each axis, got 2"),
                 (3, TypeError, "box: expected three periods, got 3"),
                 ((1, "a", 1), TypeError, "box: the period along y: expected a number, or None if there is no period, got 'a'"),
-                ((1, 1, 1e-5), ValueError, "^box: the period along z is less than 1/30000 of the diagonal of the box$"),
+                ((1, 1, 1e-5), ValueError, "^box: the period along z is less than 1/10000 of the diagonal of the box$"),
                 ((1e-10, None, None), ValueError, "box: the period along x is so small that point")):
             with self.assertRaisesRegex(error, message):
                 dfs.delaunay3(points + (1 if box[0] == 1e-10 else 0) * np.arange(80)[:, None] if isinstance(box, tuple) else points,
