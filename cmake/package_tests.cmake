@@ -103,6 +103,9 @@ function(add_package_test name)
   set_label_here()
 
   if(arg_GROUP AND DELAUNAY_FROM_SURFACE_3_GROUP_TESTS)
+    if(arg_LABELS STREQUAL "long") # not built with the others
+      string(APPEND arg_GROUP "_long")
+    endif()
     set_property(GLOBAL APPEND PROPERTY test_groups "${arg_GROUP}")
     set_property(GLOBAL APPEND PROPERTY test_group_${arg_GROUP} "${name}")
     set_property(GLOBAL PROPERTY test_labels_${name} "${arg_LABELS}")
