@@ -5,23 +5,12 @@
 // A peer of compare_with_plain and measure_weights: Geogram's triangulations, by one thread BDEL,
 // or BPOW if the points have weights, and PDEL by more.
 
+#include <Delaunay_from_surface_3_comparison/geogram.h>
 #include <Delaunay_from_surface_3_comparison/points_file.h>
-
-#if __has_include(<geogram/delaunay/delaunay.h>)
-#include <geogram/basic/command_line_args.h>
-#include <geogram/basic/common.h>
-#include <geogram/basic/environment.h>
-#include <geogram/basic/logger.h>
-#include <geogram/basic/process.h>
-#include <geogram/delaunay/delaunay.h>
-#else // the part of Geogram that its authors give out by itself
-#include <Delaunay_psm.h>
-#endif
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace {
@@ -46,12 +35,7 @@ int main(int argc, char** argv)
         if (have_weights)
           replace_weights(numbers);
         const GEO::coord_index_t dimension = have_weights ? 4 : 3;
-        GEO::initialize();
-        GEO::Logger::instance()->set_quiet(true);
-        GEO::CmdLine::import_arg_group("standard");
-        GEO::CmdLine::import_arg_group("algo");
-        GEO::Process::enable_multithreading(threads > 1);
-        GEO::Process::set_max_threads(threads);
+        comparison::start_geogram(threads);
         GEO::Delaunay_var delaunay = GEO::Delaunay::create(dimension, threads > 1    ? "PDEL"
                                                                       : have_weights ? "BPOW"
                                                                                      : "BDEL");
@@ -59,10 +43,6 @@ int main(int argc, char** argv)
         delaunay->set_vertices(static_cast<GEO::index_t>(numbers.size() / dimension),
                                numbers.data());
         watch.stop();
-        std::string version; // which that part does not tell
-        GEO::Environment::instance()->get_value("version", version);
-        comparison::print_answer(
-            watch, delaunay->nb_cells(), GEO::Process::maximum_concurrent_threads(),
-            version.empty() ? "Geogram" : "Geogram " + version, DELAUNAY_FROM_SURFACE_3_BUILT_AS);
+        comparison::print_answer_of_geogram(watch, delaunay->nb_cells());
       });
 }

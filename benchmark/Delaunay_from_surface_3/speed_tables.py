@@ -252,8 +252,8 @@ def weights(report):
 
 
 def periodic(report):
-    """Time of CGAL's periodic triangulation, and of another program, / of arrays. Where CGAL is too slow for any size of a set,
-    its largest."""
+    """Time of CGAL's periodic triangulation, and of another program, / of arrays: all rows beside CGAL, and the largest of each
+    set that has none."""
     def beside(row):
         return next((peer["ratio_method_to_arrays"] for peer in peers_of(row)), None)
 

@@ -529,7 +529,8 @@ BOOST_AUTO_TEST_CASE(visitors)
                                CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(visitor.ends == 1u);
     BOOST_TEST(visitor.is_right);
-    BOOST_TEST(visitor.inserted >= (n == 3000 ? n : 0));
+    if (n == 3000) // it is asked every 256 points or so
+      BOOST_TEST(visitor.inserted >= n);
   }
 }
 

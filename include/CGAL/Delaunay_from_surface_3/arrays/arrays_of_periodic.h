@@ -231,10 +231,9 @@ private:
             most[a] = (std::max)(most[a], to[a]);
             if (most[a] - least[a] > (std::numeric_limits<std::int16_t>::max)())
               throw Surface_input_error(
-                  "points " + std::to_string(first_of(of).point) + " and " +
-                  std::to_string(of[k].point) +
-                  ", or another corner of their tetrahedron, are too many periods apart: wrap them "
-                  "into the box first");
+                  "corners of a tetrahedron of points " + std::to_string(first_of(of).point) +
+                  " and " + std::to_string(of[k].point) +
+                  " are too many periods apart: wrap the points into the box first");
             offsets[c][k][a] = std::int16_t(to[a] - from[a]);
           }
         }

@@ -182,7 +182,7 @@ void leave_out_hidden_vertices(Ordered_complex<Vertex>& built, bool locates)
     }
     built.vertices[k] = 0;
     const Id v = Compact_numbers::vertex_of_point(k);
-    Id& cell = complex.vertex(v).cell; // which may be dead, or elsewhere by now
+    Id& cell = complex.vertex(v).cell; // it may be dead, or another one by now
     if (locates)
       near = inserter.walk(v, near, Read_alone()).cell;
     cell = locates ? near : 0;

@@ -71,7 +71,7 @@ public:
   template <bool has_weight>
   Empty_ball(const Rounded_place<has_weight>* places, const Copy_place<has_weight>* exact,
              double rounding)
-    : off(rounding)
+    : m_off(rounding)
   {
     std::copy_n(coordinates_of(places[0]), 3, m_origin);
     std::array<double, 3> v[3];
@@ -85,7 +85,7 @@ public:
     if constexpr (has_weight)
       m_weight = places[0].weight();
     m_most_more_weight = (std::max)({0., weights[0], weights[1], weights[2]});
-    set(v, weights, Filter_bounds::unit, off);
+    set(v, weights, Filter_bounds::unit, m_off);
     if (is_uncertain() && exact[0].periods->are_scaled) {
       set_again(exact);
       if (is_uncertain())
@@ -94,7 +94,7 @@ public:
     for (std::size_t a = 0; a < 3; ++a)
       m_center[a] = m_n[a] / (2 * m_a);
     m_square = dot(m_center, m_center);
-    m_off_center = 1.01 * (m_off_n + 2 * std::sqrt(m_square) * m_off_a) / (2 * m_a) + 4 * off;
+    m_off_center = 1.01 * (m_off_n + 2 * std::sqrt(m_square) * m_off_a) / (2 * m_a) + 4 * m_off;
     m_is_known = !is_uncertain() && std::sqrt(m_square) + m_off_center < 0x1p400;
   }
 
@@ -130,8 +130,8 @@ public:
     const double dw = weight - m_weight;
     double least = -m_a * dw, off_by = (m_off_a + 8 * Filter_bounds::unit * m_a) * std::abs(dw);
     for (std::size_t a = 0; a < 3; ++a) {
-      const double low = box.low[a] - m_origin[a] - 4 * off,
-                   high = box.high[a] - m_origin[a] + 4 * off;
+      const double low = box.low[a] - m_origin[a] - 4 * m_off,
+                   high = box.high[a] - m_origin[a] + 4 * m_off;
       const double d = (std::max)(low, (std::min)(high, m_center[a]));
       const double longest = (std::max)(std::abs(low), std::abs(high));
       least += (m_a * d - m_n[a]) * d;
@@ -218,7 +218,7 @@ private:
 
   bool is_uncertain() const { return !(m_a > 0x1p10 * m_off_a); }
 
-  const double off; // by how much a difference of rounded coordinates may be
+  const double m_off; // by how much a difference of rounded coordinates may be
   double m_origin[3], m_weight = 0;
   double m_most_more_weight = 0; // that another vertex has
   double m_n[3], m_a = 0, m_off_a = 0, m_off_n = 0;

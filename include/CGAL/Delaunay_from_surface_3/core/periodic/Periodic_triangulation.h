@@ -196,8 +196,7 @@ private:
 
   std::size_t number_of_vertices() const { return complex().all_own_coordinates().copies.size(); }
 
-  // Those at home that are equal to another there, or hidden. (What is equal to a copy may itself be
-  // what that is a copy of.)
+  // Leaves out those at home that are equal to another there, or hidden.
   void leave_out_points()
   {
     for (std::size_t k = 0; k < m_built->vertices.size(); ++k) {
@@ -209,7 +208,7 @@ private:
     }
   }
 
-  // Which of two vertices is nearer to a copy of a point, if the first is one.
+  // Returns the vertex that is nearer to a copy of a point: v, unless it is 0, or w.
   Id nearer(std::size_t i, const Shift& shift, Id v, Id w) const
   {
     if (v == 0)
