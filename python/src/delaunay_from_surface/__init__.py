@@ -182,7 +182,7 @@ def _in_box(points: Points, faces: Optional[Faces], weights: Optional[ArrayLike]
     if faces is not None or inside:
         raise ValueError("faces: there are none in a periodic box: leave them out")
     if order is not None:
-        raise ValueError("order: it is not kept for a periodic box, whose points are inserted with copies: leave it out")
+        raise ValueError("order: it is not kept for a periodic box, whose copies change from call to call: leave it out")
     chosen = whole_number("seed", seed, 0, 2 ** 32 - 1)
     number = number_of_threads("threads", threads)
     array = np.asarray(_core.array_of_points(points, "points"))

@@ -24,6 +24,7 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -47,31 +48,31 @@ public:
     , m_corners(in_box.copies)
     , m_number_of_copies(in_box.number_of_copies)
     , m_home(in_box.home)
-    , m_built(*in_box.built)
-    , m_cells(m_built.cells)
-    , m_end(m_built.cells_end)
+    , m_built(std::move(in_box.built))
+    , m_cells(m_built->cells)
+    , m_end(m_built->cells_end)
     , m_has_short_edges(in_box.has_short_edges)
   {
   }
 
   Periodic_3_arrays<Index> arrays(const Point_array& points, const std::array<double, 3>& box)
   {
-    m_built.give_up_vertices();
+    m_built->give_up_vertices();
     name_points();
     number_cells();
     find_far_neighbors();
     move_cells();
     std::vector<Id>().swap(m_numbers);
-    m_built.release_cells(m_number, m_end);
+    m_built->release_cells(m_number, m_end);
+    std::size_t capacity = 0;
+    Page_array<Compact_cell> cells(m_built->take_cells(capacity), capacity);
+    m_built.reset(); // with the order
     auto offsets = offsets_of_cells();
     const bool is_simplicial = m_has_short_edges || has_no_double_edges(offsets, points, box);
     const std::size_t copies = m_number_of_copies - m_number_of_points;
-    std::size_t capacity = 0;
-    Compact_cell* const cells = m_built.take_cells(capacity);
-    Delaunay_3_arrays<Index> arrays(
-        3, m_number, m_number,
-        typename Delaunay_3_arrays<Index>::Entries(Page_array<Compact_cell>(cells, capacity)),
-        std::move(m_names));
+    Delaunay_3_arrays<Index> arrays(3, m_number, m_number,
+                                    typename Delaunay_3_arrays<Index>::Entries(std::move(cells)),
+                                    std::move(m_names));
     return Periodic_3_arrays<Index>(std::move(arrays), std::move(offsets), copies, is_simplicial);
   }
 
@@ -94,13 +95,13 @@ private:
   void name_points()
   {
     const std::size_t n = m_number_of_points;
-    std::vector<Index> of_vertex(m_built.vertices_end, Index(-1));
+    std::vector<Index> of_vertex(m_built->vertices_end, Index(-1));
     m_names.assign(n, Index(-1));
     std::vector<Id> vertex(n, 0);
-    for (std::size_t k = 0; k < m_built.order.size; ++k) {
-      const std::size_t i = m_built.order.order[k];
-      if (i < n && m_built.vertex_of[k] != 0) {
-        vertex[i] = m_built.vertex_of[k];
+    for (std::size_t k = 0; k < m_built->order.size; ++k) {
+      const std::size_t i = m_built->order.order[k];
+      if (i < n && m_built->vertex_of[k] != 0) {
+        vertex[i] = m_built->vertex_of[k];
         Index& name = of_vertex[vertex[i]];
         name = name < 0 ? Index(i) : (std::min)(name, Index(i));
       }
@@ -295,7 +296,7 @@ private:
   Corner* const m_corners; // by vertex; copies, until points are named
   const std::size_t m_number_of_copies;
   const std::array<std::int32_t, 3>* const m_home; // null if nothing is moved
-  Built& m_built;
+  std::unique_ptr<Built> m_built;
   Compact_cell* m_cells;
   const std::size_t m_end;
   std::vector<Index> m_names;                    // the smallest index of a point equal to each
