@@ -15,8 +15,10 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Random.h>
@@ -89,8 +91,28 @@ struct Exact_tally
 struct Tallies
 {
   Tally first, facets, second;
-  Exact_tally exact;
+  Exact_tally exact, lattice;
 };
+
+// The doubles that round nothing, where the points are near each other on a lattice; the last one is p.
+template <class Determinant, std::size_t N, class Perturbed_sign>
+void count_lattice(const std::array<Record, N>& f, int truth, const Perturbed_sign& perturbed_sign,
+                   Exact_tally& tally)
+{
+  std::vector<double> coordinates;
+  for (const Record& r : f)
+    coordinates.insert(coordinates.end(), r.begin(), r.begin() + 3);
+  const Power_of_scale scaled(Point_array(coordinates.data(), N), nullptr);
+  std::array<std::array<double, 3>, N> points;
+  std::array<const double*, N> v;
+  for (std::size_t k = 0; k < N; ++k) {
+    points[k] = scaled(f[k].data());
+    v[k] = points[k].data();
+  }
+  const Exact_sign sign = lattice_sign<Determinant>(v.data(), v[N - 1], scaled.exact_size());
+  if (sign.sign != 0)
+    tally.count(sign, truth, perturbed_sign);
+}
 
 int inside_or_outside(bool is_inside)
 {
@@ -196,6 +218,7 @@ void check(Five f, const Record& apex, Tallies& tallies)
     Exact_tally two_digits;
     two_digits.count(sign_from_two_digits<Exact_sphere>(v, p), sphere, perturbed);
     tallies.exact.wrong += two_digits.wrong;
+    count_lattice<Exact_sphere>(f, sphere, perturbed, tallies.lattice);
   }
   check_view<Sphere_filter>(f, sphere, tallies);
   check_neighbors<Sphere_filter>(f, apex, tallies);
@@ -229,6 +252,7 @@ Tallies check_all(const std::string& name, const Make_point& make, std::size_t n
     BOOST_TEST(tallies.facets.wrong == 0u);
     BOOST_TEST(tallies.second.wrong == 0u);
     BOOST_TEST(tallies.exact.wrong == 0u);
+    BOOST_TEST(tallies.lattice.wrong == 0u);
     BOOST_TEST(tallies.first.tests > n);
   }
   return tallies;
@@ -246,7 +270,7 @@ int exact_beyond(const Record& a, const Record& b, const Record& c, const Record
 struct Beyond_tallies
 {
   Tally first, flat;
-  Exact_tally exact;
+  Exact_tally exact, lattice;
 };
 
 void check_beyond(const std::array<Record, 4>& f, Beyond_tallies& tallies)
@@ -263,6 +287,7 @@ void check_beyond(const std::array<Record, 4>& f, Beyond_tallies& tallies)
   Exact_tally two_digits;
   two_digits.count(sign_from_two_digits<Exact_beyond>(v, p), truth, perturbed);
   tallies.exact.wrong += two_digits.wrong;
+  count_lattice<Exact_beyond>(f, truth, perturbed, tallies.lattice);
 }
 
 Beyond_tallies check_beyond(const std::function<Record(CGAL::Random&)>& make, std::size_t n)
@@ -278,6 +303,7 @@ Beyond_tallies check_beyond(const std::function<Record(CGAL::Random&)>& make, st
   BOOST_TEST(tallies.first.wrong == 0u);
   BOOST_TEST(tallies.flat.wrong == 0u);
   BOOST_TEST(tallies.exact.wrong == 0u);
+  BOOST_TEST(tallies.lattice.wrong == 0u);
   return tallies;
 }
 
@@ -331,7 +357,7 @@ BOOST_AUTO_TEST_CASE(near_spheres_and_planes)
 
 BOOST_AUTO_TEST_CASE(exactly_degenerate)
 {
-  for (const int side : {1, 2, 3, 10, 4095, 1000000, 8388607, 8388609, 1 << 29}) {
+  for (const int side : {1, 2, 3, 10, 209, 4095, 1000000, 8388607, 8388609, 1 << 29}) {
     const Tallies t = check_all(
         "lattice of side " + std::to_string(side),
         [side](CGAL::Random& r) {
@@ -343,6 +369,10 @@ BOOST_AUTO_TEST_CASE(exactly_degenerate)
           return p;
         },
         600);
+    if (side <= 209) // no two are farther apart than 2 sqrt(3) side < sqrt(2^19)
+      BOOST_TEST(t.lattice.tests == t.exact.tests);
+    if (side > 1000000)
+      BOOST_TEST(t.lattice.tests == 0u);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
     BOOST_TEST((side > 3 || t.exact.perturbed > 0u));
     BOOST_TEST(t.exact.stages[HALF_DIGIT] + t.exact.stages[ONE_DIGIT] == t.exact.tests);
@@ -351,6 +381,31 @@ BOOST_AUTO_TEST_CASE(exactly_degenerate)
     else
       BOOST_TEST(t.exact.stages[ONE_DIGIT] > 0u);
 #endif
+  }
+}
+
+// As large as doubles round nothing, and ten times as large: whole numbers on a sphere, or next to it.
+BOOST_AUTO_TEST_CASE(large_spheres_on_lattices)
+{
+  for (const int radius : {361, 3625}) {
+    std::vector<Record> points;
+    for (int x = -radius; x <= radius; ++x)
+      for (int y = -radius; y <= radius; ++y) {
+        const int rest = radius * radius - x * x - y * y, z = int(std::sqrt((std::max)(rest, 0)));
+        if (z * z == rest)
+          for (const int sign : {-1, 1})
+            points.push_back({double(x), double(y), double(sign * z), unused});
+      }
+    const Tallies t = check_all(
+        "whole numbers on a sphere of radius " + std::to_string(radius),
+        [&points](CGAL::Random& r) {
+          Record p = points[std::size_t(r.get_int(0, int(points.size())))];
+          p[0] += r.get_int(0, 8) == 0;
+          return p;
+        },
+        5000);
+    BOOST_TEST((t.lattice.perturbed > 0) == (radius == 361));
+    BOOST_TEST((t.lattice.tests == t.exact.tests) == (radius == 361));
   }
 }
 
@@ -419,6 +474,7 @@ BOOST_AUTO_TEST_CASE(infinite_cells)
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
   BOOST_TEST(box.exact.perturbed > 0u);
   BOOST_TEST(box.exact.stages[HALF_DIGIT] == box.exact.tests);
+  BOOST_TEST(box.lattice.tests == box.exact.tests);
 #endif
 }
 
@@ -485,11 +541,11 @@ BOOST_AUTO_TEST_CASE(hostile_categories)
       check_beyond({p[0], p[1], p[2], p[3]}, beyond);
     }
     BOOST_TEST(tallies.first.wrong + tallies.facets.wrong + tallies.second.wrong == 0u);
-    BOOST_TEST(tallies.exact.wrong == 0u);
+    BOOST_TEST(tallies.exact.wrong + tallies.lattice.wrong + beyond.lattice.wrong == 0u);
     BOOST_TEST(beyond.first.wrong + beyond.flat.wrong + beyond.exact.wrong == 0u);
     for (int stage = 0; stage < NUMBER_OF_EXACT_STAGES; ++stage) {
-      all.exact.stages[stage] += tallies.exact.stages[stage];
-      all_beyond.exact.stages[stage] += beyond.exact.stages[stage];
+      all.exact.stages[stage] += tallies.exact.stages[stage] + tallies.lattice.stages[stage];
+      all_beyond.exact.stages[stage] += beyond.exact.stages[stage] + beyond.lattice.stages[stage];
     }
     all.exact.perturbed += tallies.exact.perturbed;
     all_beyond.exact.perturbed += beyond.exact.perturbed;

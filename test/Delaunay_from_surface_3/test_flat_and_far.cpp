@@ -60,10 +60,11 @@ struct Counting_visitor : CGAL::Default_surface_insertion_visitor_3
   }
 };
 
-// What was left open by floating point, and by all but the kernel, of one point on average.
+// What was left open by the first filters, by doubles on lattices, too, and by all stages but the last,
+// of one point on average.
 struct Left_open
 {
-  double by_filters, by_stages;
+  double by_filters, by_lattice, by_stages;
 };
 
 Left_open left_open(const DFS::Insertion_counts& counts, std::size_t n)
@@ -71,7 +72,11 @@ Left_open left_open(const DFS::Insertion_counts& counts, std::size_t n)
   const auto sum = [](const std::size_t* stages) {
     return std::accumulate(stages, stages + DFS::NUMBER_OF_EXACT_STAGES, std::size_t(0));
   };
-  return {double(sum(counts.sphere_tests_by_stage) + sum(counts.facet_tests_by_stage)) / double(n),
+  const std::size_t open = sum(counts.sphere_tests_by_stage) + sum(counts.facet_tests_by_stage);
+  return {double(open) / double(n),
+          double(open - counts.sphere_tests_by_stage[DFS::LATTICE] -
+                 counts.facet_tests_by_stage[DFS::LATTICE]) /
+              double(n),
           double(counts.sphere_tests_by_stage[DFS::ANY_WIDTH] +
                  counts.facet_tests_by_stage[DFS::ANY_WIDTH]) /
               double(n)};
@@ -117,6 +122,20 @@ BOOST_AUTO_TEST_CASE(flat_sheets)
       }
   for (const Left_open& open : insert_and_compare(surfaces::dented_sheet(1000, 1e-17)))
     BOOST_TEST((open.by_stages < .1 || !has_integers));
+}
+
+// A unit that is no power of 2, and points so far apart that doubles round, are left to integers.
+BOOST_AUTO_TEST_CASE(lattices)
+{
+  for (const double step : {1., 0x1p-40, 3., 0x1p10 + 1, .1}) {
+    surfaces::Indexed_surface surface;
+    for (int i = 0; i < 512; ++i)
+      surface.points.emplace_back(step * (i % 8), step * (i / 8 % 8), step * (i / 64));
+    for (const Left_open& open : insert_and_compare(surface)) {
+      BOOST_TEST(open.by_filters > 5);
+      BOOST_TEST((open.by_lattice == 0) == (step < .05 || (step > .5 && step < 100)));
+    }
+  }
 }
 
 // (t, t^2, t^3), where every two points are joined: integers of few bits would decide nearly all tests,

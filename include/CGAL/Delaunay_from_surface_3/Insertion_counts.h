@@ -20,6 +20,7 @@ they are tried. Digits have 60 bits. A stage of integers applies if the differen
 are such integers times a power of 2.
 */
 enum Exact_stage {
+  LATTICE,               ///< doubles that round nothing, of points close together on a lattice.
   HALF_DIGIT,            ///< integers of 30 bits.
   ONE_DIGIT,             ///< integers of 60 bits.
   BALANCED,              ///< doubles, of points at very different distances or in a flat box.

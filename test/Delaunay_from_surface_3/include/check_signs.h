@@ -15,9 +15,11 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/balanced_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 
 #include <algorithm>
 #include <array>
@@ -26,6 +28,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace fuzz {
 
@@ -204,6 +207,41 @@ void check_widths(const std::string& name, const Place* v, Place p, int truth, i
 }
 #endif
 
+inline void check_exact(const std::string& name, const Exact_sign& said, int truth,
+                        int perturbed_truth, Checked_signs& signs)
+{
+  signs.may_say(name + ", stage " + std::to_string(said.stage) + perturbed_or_not(truth), said.sign,
+                perturbed_truth);
+  if (said.sign != 0)
+    signs.must_see(name, said.is_perturbed, truth);
+}
+
+// Doubles that round nothing, where the points are near each other on a lattice.
+template <class Determinant, class Place>
+void check_lattice(const std::string& name, const Quintuple& q, int truth, int perturbed_truth,
+                   Checked_signs& signs)
+{
+  std::vector<double> coordinates, weights;
+  for (const Record& r : {q.v[0], q.v[1], q.v[2], q.v[3], q.p}) {
+    coordinates.insert(coordinates.end(), r.begin(), r.begin() + 3);
+    weights.push_back(r[3]);
+  }
+  const Power_of_scale scaled(Point_array(coordinates.data(), 5), nullptr,
+                              is_weighted<Place> ? weights.data() : nullptr);
+  const auto scale = [&scaled](Record& r) {
+    const auto p = scaled(r.data());
+    r = {p[0], p[1], p[2], is_weighted<Place> ? scaled.weight(r[3]) : r[3]};
+  };
+  Quintuple on_lattice = q;
+  for (Record& r : on_lattice.v)
+    scale(r);
+  scale(on_lattice.p);
+  const Places<Place> v = Quintuple::places<Place>(on_lattice.v);
+  const Exact_sign said =
+      lattice_sign<Determinant>(v.data(), Place(on_lattice.p.data()), scaled.exact_size());
+  check_exact(name + ", lattice", said, truth, perturbed_truth, signs);
+}
+
 // Balanced rows, also where nothing is to be gained by them.
 template <int N, class Place>
 void check_balanced(const std::string& name, const Place* v, Place p, int truth,
@@ -214,15 +252,6 @@ void check_balanced(const std::string& name, const Place* v, Place p, int truth,
   signs.may_say(name + ", balanced doubles", balanced.template sign<Bounded_doubles>(), truth);
   signs.may_say(name + ", balanced double doubles", balanced.template sign<Portable>(), truth);
   signs.may_say(name + ", balanced double doubles", balanced.in_double_doubles(), truth);
-}
-
-inline void check_exact(const std::string& name, const Exact_sign& said, int truth,
-                        int perturbed_truth, Checked_signs& signs)
-{
-  signs.may_say(name + ", stage " + std::to_string(said.stage) + perturbed_or_not(truth), said.sign,
-                perturbed_truth);
-  if (said.sign != 0)
-    signs.must_see(name, said.is_perturbed, truth);
 }
 
 template <class Place>
@@ -295,6 +324,7 @@ void check_cell(Quintuple q, Checked_signs& signs)
   check_balanced<4>("sphere", v.data(), p, sphere, signs);
   check_exact("exact sphere", exact_sign<Exact_sphere>(v.data(), p), sphere, perturbed, signs);
   check_exact("any width, sphere", wide_sign<Exact_sphere>(v.data(), p), sphere, perturbed, signs);
+  check_lattice<Exact_sphere, Place>("sphere", q, sphere, perturbed, signs);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
   check_widths<Exact_sphere>("sphere", v.data(), p, sphere, perturbed, signs);
 #endif
@@ -320,6 +350,7 @@ void check_infinite_cell(const Quintuple& q, Checked_signs& signs)
   check_balanced<3>("height", v.data(), p, -height, signs);
   check_exact("exact beyond", exact_sign<Exact_beyond>(v.data(), p), circle, perturbed, signs);
   check_exact("any width, beyond", wide_sign<Exact_beyond>(v.data(), p), circle, perturbed, signs);
+  check_lattice<Exact_beyond, Place>("beyond", q, circle, perturbed, signs);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
   check_widths<Exact_beyond>("beyond", v.data(), p, circle, perturbed, signs);
 #endif

@@ -49,8 +49,8 @@ Json by_exact_stage(const Decided& decided, std::size_t n, double per_unit = 1e4
 {
   Json result;
   std::size_t stage = 0;
-  for (const char* name :
-       {"half_digit", "one_digit", "balanced", "double_double", "two_digits", "any_width"})
+  for (const char* name : {"lattice", "half_digit", "one_digit", "balanced", "double_double",
+                           "two_digits", "any_width"})
     result[name] = per_point(decided[stage++], n, per_unit);
   return result;
 }

@@ -150,6 +150,11 @@ public:
       return !m_own_coordinates.empty();
   }
 
+  // The size of rows up to which doubles round nothing (lattice_sign()); 0 if the vertices are on no
+  // lattice, or nobody has looked.
+  double exact_size() const { return m_exact_size; }
+  void set_exact_size(double size) { m_exact_size = size; }
+
   // Return where a vertex has its coordinates, and where a finite one has exact ones, up to a power
   // of 2 that all have in common.
   Place place(Id v) const { return Place(vertex(v).coordinates); }
@@ -313,6 +318,7 @@ private:
   Page_array<Cell> m_cells;
   Page_array<Vertex> m_vertices;
   Own_coordinates m_own_coordinates;
+  double m_exact_size = 0;
   std::size_t m_most_cells = max_cells;
   std::size_t m_cells_end = 0;
   std::size_t m_cells_ready = 0; // up to here cells are prepared

@@ -12,6 +12,7 @@
 //   stage           what it decides                                  cost  header
 //   first filter    signs farther from 0 than doubles err              15  Sphere_filter.h
 //   flat circle     infinite cells in planes across an axis             -  flat_beyond_sign()
+//   LATTICE         points close together on a lattice, 0 included     -  exact_signs.h
 //   HALF_DIGIT      differences as integers of 30 bits, 0 included     80  exact_signs.h
 //   ONE_DIGIT       the same of 60 bits                               135  exact_signs.h
 //   BALANCED        doubles, of points in a flat box,                   -  Sphere_filter.h
@@ -175,8 +176,7 @@ public:
         if (const int sign = beyond_sign_by_columns(v, q))
           return sign > 0;
     }
-    const Exact_sign exact =
-        m_complex.is_rounded() ? wide_sign<Exact_beyond>(v, q) : exact_sign<Exact_beyond>(v, q);
+    const Exact_sign exact = exact_sign_of<Exact_beyond>(v, q);
     ++m_counts.facet_tests_by_stage[exact.stage];
     m_counts.perturbed += exact.is_perturbed;
     return exact.sign > 0;
@@ -208,14 +208,28 @@ private:
     const Exact_place v[4] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2]),
                               at(cell.v[3])};
     const Exact_place q = at(p);
-    const Exact_sign exact =
-        m_complex.is_rounded() ? wide_sign<Exact_sphere>(v, q) : exact_sign<Exact_sphere>(v, q);
+    const Exact_sign exact = exact_sign_of<Exact_sphere>(v, q);
     ++m_counts.sphere_tests_by_stage[exact.stage];
     m_counts.perturbed += exact.is_perturbed;
-    m_is_flat =
-        exact.is_flat || (!is_rounded<Place> && exact.stage <= ONE_DIGIT && !exact.is_perturbed &&
-                          (m_is_flat || ++m_integer_signs % 32 == 0) && is_flat(cell, p));
+    m_is_flat = exact.is_flat || (!is_rounded<Place> && exact.stage != LATTICE &&
+                                  exact.stage <= ONE_DIGIT && !exact.is_perturbed &&
+                                  (m_is_flat || ++m_integer_signs % 32 == 0) && is_flat(cell, p));
     return exact.sign > 0;
+  }
+
+  template <class Determinant>
+  Exact_sign exact_sign_of(const Exact_place* vertices, Exact_place p) const
+  {
+    if constexpr (!is_rounded<Place>) {
+      if (m_complex.is_rounded())
+        return wide_sign<Determinant>(vertices, p);
+      if (m_complex.exact_size() > 0) {
+        const auto exact = lattice_sign<Determinant>(vertices, p, m_complex.exact_size());
+        if (exact.sign != 0)
+          return exact;
+      }
+    }
+    return exact_sign<Determinant>(vertices, p);
   }
 
   // Coordinates of few bits are integers before columns are asked, which take less time. (Of sheets

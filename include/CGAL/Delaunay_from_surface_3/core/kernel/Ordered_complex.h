@@ -197,6 +197,7 @@ public:
   {
     if (obstacle_of_compiler() != nullptr)
       return;
+    m_is_lattice = true;
     for (std::size_t i = 0; i < points.size(); ++i)
       look_at(points[i]);
     if (one_more != nullptr)
@@ -221,6 +222,15 @@ public:
   // Returns true if no coordinate is rounded, as only coordinates that become smaller can be.
   bool is_exact() const { return m_is_exact; }
 
+  // Compact_complex::exact_size() of what was scaled.
+  double exact_size() const
+  {
+    if (!m_is_lattice || !m_is_exact || m_largest == 0)
+      return 0;
+    const double unit = std::ldexp(m_factor, m_unit);
+    return 0x1p19 * unit * unit;
+  }
+
   std::array<double, 3> operator()(const double* p) const
   {
     return {p[0] * m_factor, p[1] * m_factor, p[2] * m_factor};
@@ -241,6 +251,16 @@ private:
       m_largest = (std::max)(m_largest, size);
       m_least = size == 0 ? m_least : (std::min)(m_least, size);
     }
+    for (int k = 0; m_is_lattice && k < 3; ++k)
+      if (p[k] != 0)
+        look_at_unit(Bits_of_double(p[k]).exponent);
+  }
+
+  // All are multiples of 2^exponent. A lattice that has so many of these across is of no use.
+  void look_at_unit(int exponent)
+  {
+    m_unit = (std::min)(m_unit, exponent);
+    m_is_lattice = m_largest < std::ldexp(1., m_unit + 32);
   }
 
   // The square root of their largest difference counts as a coordinate. They may be much larger
@@ -258,6 +278,8 @@ private:
       const double size = std::abs(weights[i]);
       m_largest_weight = (std::max)(m_largest_weight, size);
       m_least_weight = size == 0 ? m_least_weight : (std::min)(m_least_weight, size);
+      if (m_is_lattice && size != 0 && difference != 0)
+        look_at_unit(int(std::floor(Bits_of_double(size).exponent / 2.)));
     }
   }
 
@@ -274,7 +296,9 @@ private:
 
   double m_largest = 0, m_least = (std::numeric_limits<double>::max)();
   double m_largest_weight = 0, m_least_weight = (std::numeric_limits<double>::max)();
-  double m_factor = 0; // 0 if doubles cannot be trusted, so that no filter decides anything
+  int m_unit = 1000; // all coordinates are multiples of 2^m_unit, and weights of its square,
+  bool m_is_lattice = false; // if this is true
+  double m_factor = 0;       // 0 if doubles cannot be trusted, so that no filter decides anything
   bool m_is_exact = false;
 };
 
@@ -327,6 +351,7 @@ public:
         own.push_back(with_weight(point(k), k, [](double w) { return w; }));
       complex.keep_own_coordinates(std::move(own));
     }
+    complex.set_exact_size(scaled.exact_size());
     complex.limit_cells(most_cells);
     m_any_vertex = start_complex(starting_simplex(vertices.size(), point), complex, vertices);
     show();

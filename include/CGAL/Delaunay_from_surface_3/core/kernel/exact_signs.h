@@ -9,7 +9,8 @@
 //
 // The differences v - p are integers times a power of 2. Where these have few bits (30, 60 or 120,
 // see Fixed_integer.h) the signs follow from products of integers of fixed width; what has
-// more, and all on machines without integers of 128 bits, from integers of any width.
+// more, and all on machines without integers of 128 bits, from integers of any width. On a lattice
+// doubles do for points close together (lattice_sign()).
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
@@ -38,6 +39,11 @@ struct Exact_sign
   Exact_stage stage;
   bool is_flat = false; // decided by columns
 };
+
+inline int sign_of(double number)
+{
+  return (number > 0) - (number < 0);
+}
 
 template <class Place>
 bool is_lexicographically_less(Place a, Place b)
@@ -258,6 +264,26 @@ Exact_sign exact_sign(const Place* vertices, Place p)
     return Determinant::sign(rows, TWO_DIGITS, vertices, p);
 #endif
   return wide_sign<Determinant>(vertices, p);
+}
+
+// Does the same in doubles, if all coordinates are multiples of a power of 2, g, all weights of g^2, or
+// equal, and all rows of a size of at most `most` = 2^19 g^2; else the sign is 0, as it is if `most` is
+// 0. Let m be the largest size. Then minors are at most 2 m, those of three columns 6 m^(3/2), and
+// determinants, with each sum on the way, 24 m^(5/2) < 2^53 g^5. They are multiples of g^2, g^3 and
+// g^5, so nothing is rounded.
+template <class Determinant, class Place>
+Exact_sign lattice_sign(const Place* vertices, Place p, double most)
+{
+  Row<double> rows[Determinant::size];
+  double largest = 0;
+  for (int k = 0; k < Determinant::size; ++k) {
+    const auto sized = row(vertices[k], p);
+    largest = (std::max)(largest, size_of(sized));
+    rows[k] = sized;
+  }
+  if (most == 0 || !(largest <= most))
+    return {0, false, LATTICE};
+  return Determinant::sign(rows, LATTICE, vertices, p);
 }
 
 // The kernel rarely asks more than its tests of conflict (Compact_predicates.h): orientations and
