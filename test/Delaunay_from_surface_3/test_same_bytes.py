@@ -17,8 +17,8 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 COMPILED = "-DCGAL_DELAUNAY_FROM_SURFACE_3_COMPILED"
 OPTIONS = [["-O0"], ["-O2", "-DNDEBUG"], ["-O3", "-DNDEBUG", "-march=native", "-ffp-contract=off"],
-           ["-O3", "-DNDEBUG", "-march=native", "-ffp-contract=fast"], ["-O2", "-DNDEBUG", "-ffast-math"],
-           ["-O1", "-mno-avx2", "-mno-fma"], ["-O2", "-DNDEBUG", COMPILED]]
+           ["-O3", "-DNDEBUG", "-march=native", "-ffp-contract=fast"], ["-O1", "-mno-avx2", "-mno-fma"],
+           ["-O2", "-DNDEBUG", COMPILED]]
 
 
 def output_of(compiler, options, folder):

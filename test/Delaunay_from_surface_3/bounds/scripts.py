@@ -162,7 +162,7 @@ HADAMARD = "for each w by an inequality of Hadamard type for permanents (Carlen,
 
 def lengths_four(constant, weighted=False):
     found(r"Bound_factors<R>::four \* unit \* (\(m \* m \* std::sqrt\(m\)\)) \+ tiny", "Sphere_filter.h")
-    found(r"m \* m \* sqrt_of\(m\) \* (\(Bound_factors<Row_of<Place>>::four \* Filter_bounds::unit\)) \+ Filter_bounds::tiny", "Sphere_filter.h")
+    found(r"m \* m \* sqrt_of\(m\) \* (\(Factors::four \* Filter_bounds::unit\)) \+ Filter_bounds::tiny", "Sphere_filter.h")
     return by_lengths(most_roundings([sphere, wide_sphere, wide_view], 1, weighted), "4 * (2 / sqrt(3)) * M * M * sqrt(M)",
                       f"add(mul({binary(constant * U)}, mul(mul(1, 1), root)), 0)", limit_of(constant), HADAMARD,
                       of_largest=of_square(weighted))
@@ -360,7 +360,7 @@ BOX = read(r"(\d+) \* Filter_bounds::unit \* box \* m \+ Column_sizes::tiny", "C
 # Script: what makes it of a constant; the constant in the header; the least (of integers, or of powers of 2) that is proved.
 SCRIPTS = {
     "lengths_four": (lengths_four, factor("four"), 74),
-    "lengths_three": (lengths_three, read(r"three_rows\(double m\) \{ return (\d+) \* unit \* \(m \* std::sqrt\(m\)\) \+ tiny",
+    "lengths_three": (lengths_three, read(r"else return (\d+) \* unit \* \(m \* std::sqrt\(m\)\) \+ tiny",
                                           "Sphere_filter.h"), 10),
     "lengths_circle": (lengths_circle, factor("circle"), 37),
     "lengths_area": (lengths_area, read(r"(\d+) \* Filter_bounds::unit \* m \+ Filter_bounds::tiny",

@@ -9,8 +9,10 @@
 
 #include "Thread_executor.h"
 
-#include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
 #include <CGAL/delaunay_3_arrays.h>
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
+#include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
+#endif
 
 #include <cstddef>
 #include <cstdint>
