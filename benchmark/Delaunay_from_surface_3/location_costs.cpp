@@ -4,7 +4,7 @@
 
 // The claims of Choi 2002, measured: what it costs to locate a point, by history and by walk, from
 // the last trace and from elsewhere; how many triangles a trace crosses; what becomes of it when T
-// is not Delaunay; and the total work of the paper's Q.
+// is not Delaunay; the total work of the paper's Q; and that of walks, in random rounds and sorted.
 
 #include <Delaunay_from_surface_3_comparison/run_program.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
@@ -58,6 +58,7 @@ struct Options
   std::size_t hypothesis_size = 32768, threads = 1, seeds = 5;
   std::string data_dir, cache_dir;
   unsigned int seed = 0;
+  bool rounds = false;
 };
 
 // --- The surfaces on which the theory is measured, by name ------------------------------------------
@@ -333,8 +334,35 @@ Json compare_subgraphs(const Theory_surface& surface, std::size_t size, unsigned
   return result;
 }
 
-// The total work of the paper's Q, with both T where there are faces: other points and another
-// order for every seed.
+// The total work of the paper's Q, with both T where there are faces.
+Json work_of_history(const Indexed_surface& indexed, unsigned int seed)
+{
+  std::map<std::string, Edges> subgraphs = {
+      {"Euclidean minimum spanning tree", emst_of(indexed.points)}};
+  if (!indexed.faces.empty())
+    subgraphs["subgraph of bounded degree"] = bounded_degree_edges(indexed);
+  Json results = Json::array();
+  for (const auto& [name, T] : subgraphs) {
+    results.push_back({{"T", name}});
+    results.back().update(Total_work(indexed.points, T, seed)());
+  }
+  return results;
+}
+
+// That of Tracing_traits_3, with the rounds in random order and sorted; nothing without faces.
+Json work_of_rounds(const Indexed_surface& indexed, unsigned int seed)
+{
+  Json results = Json::array();
+  if (indexed.faces.empty())
+    return results;
+  const Mesh mesh = surfaces::to_mesh<Mesh>(indexed);
+  results.push_back(
+      {{"random", comparison::counts_of_insertion<meters::Random_tracing_traits>(mesh, seed)},
+       {"sorted", comparison::counts_of_insertion<CGAL::Tracing_traits_3>(mesh, seed)}});
+  return results;
+}
+
+// Counts one of these with other points and another order for every seed.
 void count_work(const Options& options, const comparison::Program& program, Json& report)
 {
   for (const std::size_t size : options.work_sizes)
@@ -345,17 +373,13 @@ void count_work(const Options& options, const comparison::Program& program, Json
             (!names.empty() && std::find(names.begin(), names.end(), surface.name) == names.end()))
           continue;
         const Indexed_surface indexed = surface.make(size);
-        std::map<std::string, Edges> subgraphs = {
-            {"Euclidean minimum spanning tree", emst_of(indexed.points)}};
-        if (!indexed.faces.empty())
-          subgraphs["subgraph of bounded degree"] = bounded_degree_edges(indexed);
-        for (const auto& [name, T] : subgraphs) {
+        for (const Json& work :
+             options.rounds ? work_of_rounds(indexed, seed) : work_of_history(indexed, seed)) {
           Json result = {{"surface", surface.name},
                          {"size", size},
                          {"points", indexed.points.size()},
-                         {"T", name},
                          {"seed", seed}};
-          result.update(Total_work(indexed.points, T, seed)());
+          result.update(work);
           std::cerr << result.dump() << '\n';
           report["work"].push_back(result);
           program.write(report);
@@ -456,6 +480,8 @@ int main(int argc, char** argv)
   program.option("work-sizes", o.work_sizes, "N...",
                  "numbers of points to count the total work of the paper's Q at, with T = EMST and "
                  "the subgraph of bounded degree; then nothing else is measured");
+  program.option("rounds", o.rounds,
+                 "count that of walks and traces in place of Q, in random rounds and sorted");
   program.option("seeds", o.seeds, "N", "how many seeds for that, from --seed on");
   program.option("data-dir,d", o.data_dir, "FOLDER",
                  "where bunny00.off and armadillo.off are (Debian: libcgal-demo)");
