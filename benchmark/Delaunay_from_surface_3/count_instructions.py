@@ -90,20 +90,22 @@ def inclusive(out, function):
     return max(int(m[1].replace(",", "")) for m in re.finditer(rf"^ *([\d,]+) +\S*:{function}( |$)", lines, re.MULTILINE))
 
 
+def counted(program, mesh, order, functions):
+    """The instructions of each of these functions in an insertion in an order, or by one call, per point; and the points."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "out"
+        run = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", program, mesh, "--order", order],
+                             capture_output=True, text=True, check=True)
+        points = int(run.stdout)
+        counts = {name: round(inclusive(out, function) / points, 1) for name, function in functions.items()}
+    print(mesh.name, order, counts, flush=True)
+    return counts, points
+
+
 def parts(program, mesh):
-    """The instructions of whole calls, and of the parts of an insertion in each order, per point."""
-    result = {"mesh": mesh.name, "orders": {}}
-    for order in ORDERS:
-        with tempfile.TemporaryDirectory() as folder:
-            out = Path(folder) / "out"
-            run = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", program, mesh, "--order", order],
-                                 capture_output=True, text=True, check=True)
-            points = int(run.stdout)
-            count = lambda function: round(inclusive(out, function) / points, 1)
-            result |= {"points": points, "plain": count(FUNCTIONS[0]), "traces": count("insert_once_by_traces")}
-            result["orders"][order] = {part: count(function) for part, function in PARTS.items()}
-        print(mesh.name, order, result["orders"][order], flush=True)
-    return result
+    calls, points = counted(program, mesh, "plain", {"plain": FUNCTIONS[0]})
+    calls |= counted(program, mesh, "traces", {"traces": "insert_once_by_traces"})[0]
+    return {"mesh": mesh.name, "points": points, **calls, "orders": {o: counted(program, mesh, o, PARTS)[0] for o in ORDERS}}
 
 
 def main():
