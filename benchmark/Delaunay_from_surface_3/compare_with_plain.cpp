@@ -347,7 +347,9 @@ int main(int argc, char** argv)
       "sizes", o.sizes, "N...",
       "numbers of points; default: 16384 65536 262144 1048576. A surface skips those it is "
       "too detailed for. 0 takes those of --mesh as they are.");
-  program.option("methods", o.methods, "NAME...", "default: all; plain always runs");
+  program.option("methods", o.methods, "NAME...",
+                 "default: all; plain always runs. random-last and random-insert take minutes from "
+                 "262144 points on.");
   program.option("peer", o.peers, "NAME=COMMAND",
                  "one more method, by a program of its own; may be repeated");
   program.option("repetitions,r", o.repetitions, "N", "how often every time is measured");

@@ -14,7 +14,12 @@ end where points are degenerate: a mesh that takes longer than the time limit is
 Of one mesh, --phases counts those of the package's phases, per point. The program is then one with symbols (-g), which
 tell of what header an inlined function is:
 
-  count_instructions.py refined_elephant.off --phases --program ./insert_once --output phases.json"""
+  count_instructions.py refined_elephant.off --phases --program ./insert_once --output phases.json
+
+Of one mesh or several, --parts counts those of plan, location and update, point by point through CGAL's own insertion, in
+the orders of ORDERS, and those of Tracing_traits_3: what hints could gain at most.
+
+  count_instructions.py elephant_64k.off genus-50_64k.off --parts --program ./insert_once --output insertion_parts.json"""
 
 import argparse
 import json
@@ -39,6 +44,8 @@ PHASES = {  # a phase is all that is called from lines of the first within the s
     "fill": ("core/kernel/Fill_star.h", "Fill_star<.*operator"),
     "export": ("adapters/export_complex.h", "::export_built"),
 }
+ORDERS = ["spatial-sort", "nets", "paper"]
+PARTS = {"plan": "insert_once_plan", "location": "insert_once_locate", "update": "insert_once_update"}
 MOST_BYTES = 150  # of a file, for each of the vertices that it may have: larger ones are not tried
 
 
@@ -76,31 +83,61 @@ def phases(program, mesh):
                     for name, n in [*found.items(), ("all", whole)]]
 
 
+def inclusive(out, function):
+    """The instructions of a function and all that it calls, in the file that callgrind wrote."""
+    lines = subprocess.run(["callgrind_annotate", "--inclusive=yes", "--threshold=100", "--show-percs=no", "--auto=no", out],
+                           capture_output=True, text=True, check=True).stdout
+    return max(int(m[1].replace(",", "")) for m in re.finditer(rf"^ *([\d,]+) +\S*:{function}( |$)", lines, re.MULTILINE))
+
+
+def counted(program, mesh, order, functions):
+    """The instructions of each of these functions in an insertion in an order, or by one call, per point; and the points."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "out"
+        run = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", program, mesh, "--order", order],
+                             capture_output=True, text=True, check=True)
+        points = int(run.stdout)
+        counts = {name: round(inclusive(out, function) / points, 1) for name, function in functions.items()}
+    print(mesh.name, order, counts, flush=True)
+    return counts, points
+
+
+def parts(program, mesh):
+    calls, points = counted(program, mesh, "plain", {"plain": FUNCTIONS[0]})
+    calls |= counted(program, mesh, "traces", {"traces": "insert_once_by_traces"})[0]
+    return {"mesh": mesh.name, "points": points, **calls, "orders": {o: counted(program, mesh, o, PARTS)[0] for o in ORDERS}}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", type=Path, metavar="DIR")
+    parser.add_argument("folder", type=Path, metavar="DIR", nargs="+")
     parser.add_argument("--phases", action="store_true", help="of one mesh, in place of a folder")
+    parser.add_argument("--parts", action="store_true", help="of meshes, in place of a folder")
     parser.add_argument("--program", default="./insert_once", help="insert_once")
     parser.add_argument("--most-vertices", type=int, default=2999, metavar="N", help="larger meshes are left out")
     parser.add_argument("--time-limit", type=float, default=60, metavar="SECONDS", help="for each (default 60)")
     parser.add_argument("--output", type=Path, default=Path("small_meshes.json"), metavar="FILE")
     options = parser.parse_args()
     command = " ".join(["count_instructions.py", *map(shlex.quote, sys.argv[1:])])
+    if options.parts:
+        found = [parts(options.program, mesh) for mesh in options.folder]
+        options.output.write_text(text_of({"command": command, "insertion_parts": found}))
+        return
     if options.phases:
-        points, counts = phases(options.program, options.folder)
+        points, counts = phases(options.program, options.folder[0])
         options.output.write_text(text_of({"command": command, "points": points, "phases": counts}))
         print(*(f"{c['phase']}: {c['instructions']}" for c in counts), sep="\n")
         return
     results, not_counted = [], []
-    for mesh in sorted(p for p in options.folder.rglob("*") if p.suffix.lower() in EXTENSIONS and p.is_file()):
+    for mesh in sorted(p for p in options.folder[0].rglob("*") if p.suffix.lower() in EXTENSIONS and p.is_file()):
         if os.path.getsize(mesh) > MOST_BYTES * options.most_vertices:
             continue
         counts = instructions(options.program, mesh, options.time_limit)
         if counts is None:
-            not_counted.append(str(mesh.relative_to(options.folder)))
+            not_counted.append(str(mesh.relative_to(options.folder[0])))
             print(f"{mesh.name}: not counted", flush=True)
         elif counts["vertices"] <= options.most_vertices:
-            results.append({"mesh": str(mesh.relative_to(options.folder)), **counts})
+            results.append({"mesh": str(mesh.relative_to(options.folder[0])), **counts})
             print(f"{mesh.name}: {counts['vertices']} vertices, {counts['plain'] / counts['package']:.2f}", flush=True)
     report = {"command": command, "instructions": results, "not_counted": not_counted}
     options.output.write_text(json.dumps(report, indent=1) + "\n")

@@ -89,6 +89,9 @@ SHOWS = {  # in the table of the benchmark's README
     "location_costs": "the paper's theorems: locations, traces, crossings, by sizes",
     "location_costs_genus_50": "the same on genus 50; ended before its largest size",
     "total_work": "the total work of the paper's Q, by parts, sizes and seeds",
+    "sorted_rounds": "the total work of walks and traces, with the paper's rounds in random order and sorted, and of plain CGAL's "
+                     "order",
+    "insertion_parts": "instructions of plan, location and update through CGAL's insertion: what hints could gain at most",
     "subgraphs_traced": "which subgraph is traced; histories side by side",
     "subgraphs_traced_4k": "the same, also of marching cubes",
     "uniform_samples": "degrees on samples, thinned samples as rounds",
@@ -125,7 +128,7 @@ def list_of_results(*reports):
 
 TABLES = [  # page, marker, names of results, and the function that makes the text of them
     (README, "times", ["calls_256k"], speed_tables.times_of_readme),
-    (README, "collections", ["orders_200k", "demo_meshes"], speed_tables.collections),
+    (README, "collections", ["orders", "orders_200k", "demo_meshes"], speed_tables.collections),
     (README, "peers", ["compare_peers"], speed_tables.peers_of_readme),
     (README, "python", ["python"], use_tables.python_of_readme),
     (PYTHON, "threads", ["python_threads"], use_tables.python_threads),
@@ -160,6 +163,8 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (PAPER, "work_parts", ["total_work"], paper_tables.work_parts),
     (PAPER, "surfaces", ["location_costs", "location_costs_genus_50"], paper_tables.surfaces),
     (PAPER, "crossings", ["location_costs", "location_costs_genus_50"], paper_tables.crossings),
+    (PAPER, "rounds", ["sorted_rounds"], paper_tables.rounds),
+    (PAPER, "floor", ["insertion_parts"], paper_tables.floor),
     (PAPER, "genus_50", ["paper_64k", "paper_256k", "calls_256k"], paper_tables.genus_50),
     (PAPER, "hypothesis", ["location_costs"], paper_tables.hypothesis),
     (PAPER, "traced", ["subgraphs_traced"], paper_tables.traced),

@@ -6,16 +6,25 @@
 // their own, whose instructions count_instructions.py counts. Prints the number of vertices.
 //
 // With the name of a method it makes that call alone, and prints what it took: see
-// measure_single_calls.py.
+// measure_single_calls.py. With that of an order, it inserts point by point in this order, with functions
+// of their own for the parts; or, with `plain` or `traces`, by one call.
 
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_files/parse_text.h>
 #include <Delaunay_from_surface_3_files/read_polygon_soup.h>
+#include <Delaunay_from_surface_3_surfaces/io.h>
 
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
+#include <CGAL/insert_surface_vertices_3.h>
+#include <CGAL/Tracing_traits_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -55,6 +64,42 @@ INSERT_ONCE_NOT_INLINE void insert_once_by_default(Triangulation& tr,
                                                    const files::Polygon_soup& soup)
 {
   CGAL::insert_points_3(tr, soup.points, soup.faces);
+}
+
+INSERT_ONCE_NOT_INLINE void insert_once_by_traces(Triangulation& tr, const surfaces::Mesh& mesh)
+{
+  CGAL::insert_surface_vertices_3(tr, mesh, CGAL::Tracing_traits_3());
+}
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
+using Target = DFS::Triangulation_target_3<Triangulation>;
+using Hints = DFS::Planned_hints_3<Target, surfaces::Mesh>;
+
+INSERT_ONCE_NOT_INLINE void insert_once_plan(const std::string& order, const surfaces::Mesh& mesh,
+                                             DFS::Insertion_order& plan)
+{
+  const std::vector<CGAL::Epick::Point_3> points(mesh.points().begin(), mesh.points().end());
+  const auto index_map = get(CGAL::vertex_index, mesh);
+  if (order == "spatial-sort")
+    plan = DFS::Spatial_sort_order()(points, CGAL::Epick(), mesh, index_map);
+  else if (order == "nets")
+    plan = DFS::Surface_net_rounds()(points, CGAL::Epick(), mesh, index_map);
+  else if (order == "paper")
+    plan = DFS::Log_star_rounds()(points, CGAL::Epick(), mesh, index_map);
+  else
+    throw std::runtime_error("no order " + order + ": plain, traces, spatial-sort, nets or paper");
+}
+
+INSERT_ONCE_NOT_INLINE void insert_once_locate(const Target& target, std::size_t i,
+                                               const Hints& hints, Target::Location& location)
+{
+  location = target.locate(i, hints.start(i));
+}
+
+INSERT_ONCE_NOT_INLINE void insert_once_update(Target& target, std::size_t i, Hints& hints,
+                                               const Target::Location& location)
+{
+  target.insert(i, location, hints);
 }
 
 // Where the counts of the first end; there is something in it, or calls would be left out.
@@ -140,6 +185,30 @@ Json call_once(const std::string& method, std::size_t threads, const files::Poly
   return report;
 }
 
+// The counts of the parts say what each would save if it cost nothing: with perfect hints, a location.
+std::size_t insert_in_order(const std::string& order, const files::Polygon_soup& soup,
+                            const surfaces::Mesh& mesh)
+{
+  Triangulation tr;
+  if (order == "plain")
+    return insert_once_by_plain_cgal(tr, soup), tr.number_of_vertices();
+  if (order == "traces")
+    return insert_once_by_traces(tr, mesh), tr.number_of_vertices();
+  DFS::Insertion_order plan;
+  insert_once_plan(order, mesh, plan);
+  std::vector<CGAL::Epick::Point_3> points;
+  for (const std::size_t v : plan.order)
+    points.push_back(mesh.point(surfaces::Mesh::Vertex_index(std::uint32_t(v))));
+  Target target(tr, points);
+  Hints hints(target, mesh, plan);
+  Target::Location location;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    insert_once_locate(target, i, hints, location);
+    insert_once_update(target, i, hints, location);
+  }
+  return tr.number_of_vertices();
+}
+
 // The first touch of so many bytes: microseconds per page, the fastest and slowest tenth left out.
 Json touch(std::size_t bytes, std::size_t page, int advice)
 {
@@ -186,6 +255,7 @@ try {
   if (words.empty() || words.size() > 3 || words[0] == "--help") {
     std::cerr << "usage: insert_once MESH\n"
                  "       insert_once MESH plain|default|points|arrays [THREADS]\n"
+                 "       insert_once MESH --order plain|traces|spatial-sort|nets|paper\n"
                  "       insert_once --touch BYTES\n";
     return words.size() == 1 ? EXIT_SUCCESS : EXIT_FAILURE;
   }
@@ -194,6 +264,10 @@ try {
     return EXIT_SUCCESS;
   }
   const files::Polygon_soup soup = files::read_polygon_soup(words[0]);
+  if (words.size() == 3 && words[1] == "--order") {
+    std::cout << insert_in_order(words[2], soup, surfaces::read_mesh(words[0])) << "\n";
+    return EXIT_SUCCESS;
+  }
   if (words.size() >= 2) {
     const std::size_t threads = words.size() == 2 ? 1 : std::stoul(words[2]);
     std::cout << call_once(words[1], threads, soup) << "\n";

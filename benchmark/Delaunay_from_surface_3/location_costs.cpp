@@ -4,7 +4,7 @@
 
 // The claims of Choi 2002, measured: what it costs to locate a point, by history and by walk, from
 // the last trace and from elsewhere; how many triangles a trace crosses; what becomes of it when T
-// is not Delaunay; and the total work of the paper's Q.
+// is not Delaunay; the total work of the paper's Q; and that of walks, in random rounds and sorted.
 
 #include <Delaunay_from_surface_3_comparison/run_program.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
@@ -58,6 +58,7 @@ struct Options
   std::size_t hypothesis_size = 32768, threads = 1, seeds = 5;
   std::string data_dir, cache_dir;
   unsigned int seed = 0;
+  bool rounds = false;
 };
 
 // --- The surfaces on which the theory is measured, by name ------------------------------------------
@@ -121,18 +122,24 @@ std::vector<Theory_surface> theory_surfaces(const std::string& data_dir,
        [seed](std::size_t n) { return surfaces::genus_surface(50, n, 0, seed); }, 12000}};
 }
 
-// Those on which the total work is counted, other points for every seed.
-std::vector<Theory_surface> work_surfaces(std::uint64_t seed)
+// Those on which the total work is counted, other points for every seed. With a tube of genus 0 that
+// has long thin cells around its axis, or without.
+std::vector<Theory_surface> work_surfaces(std::uint64_t seed, bool with_tube)
 {
   const std::size_t any = std::size_t(1) << 30;
   const auto cube = [seed](std::size_t n) { return comparison::points_in_box(n, 1, 1, 1, seed); };
-  return {{"cube", "random points in a cube, without a surface", true, any, cube},
-          {"torus", "a torus, jitter of 5 % of the edge length", true, any,
-           [seed](std::size_t n) { return surfaces::genus_surface(1, n, 0.05, seed); }},
-          {"hub", "six walls that bulge inwards, and a point in the middle, in no face", true, any,
-           [seed](std::size_t n) { return surfaces::room(n, seed); }},
-          {"genus-50", "a chain of fifty tori", false, any,
-           [seed](std::size_t n) { return surfaces::genus_surface(50, n, 0, seed); }, 12000}};
+  std::vector<Theory_surface> all = {
+      {"cube", "random points in a cube, without a surface", true, any, cube},
+      {"torus", "a torus, jitter of 5 % of the edge length", true, any,
+       [seed](std::size_t n) { return surfaces::genus_surface(1, n, 0.05, seed); }},
+      {"hub", "six walls that bulge inwards, and a point in the middle, in no face", true, any,
+       [seed](std::size_t n) { return surfaces::room(n, seed); }},
+      {"genus-50", "a chain of fifty tori", false, any,
+       [seed](std::size_t n) { return surfaces::genus_surface(50, n, 0, seed); }, 12000}};
+  if (with_tube)
+    all.push_back({"tube", "a round tube in rings", false, any,
+                   [](std::size_t n) { return surfaces::round_tube(n); }});
+  return all;
 }
 
 // Volumes of about so many points, and what they are.
@@ -333,29 +340,54 @@ Json compare_subgraphs(const Theory_surface& surface, std::size_t size, unsigned
   return result;
 }
 
-// The total work of the paper's Q, with both T where there are faces: other points and another
-// order for every seed.
+// The total work of the paper's Q, with both T where there are faces.
+Json work_of_history(const Indexed_surface& indexed, unsigned int seed)
+{
+  std::map<std::string, Edges> subgraphs = {
+      {"Euclidean minimum spanning tree", emst_of(indexed.points)}};
+  if (!indexed.faces.empty())
+    subgraphs["subgraph of bounded degree"] = bounded_degree_edges(indexed);
+  Json results = Json::array();
+  for (const auto& [name, T] : subgraphs) {
+    results.push_back({{"T", name}});
+    results.back().update(Total_work(indexed.points, T, seed)());
+  }
+  return results;
+}
+
+// That of Tracing_traits_3, with the rounds in random order and sorted, and of plain CGAL; nothing
+// without faces.
+Json work_of_rounds(const Indexed_surface& indexed, unsigned int seed)
+{
+  Json results = Json::array();
+  if (indexed.faces.empty())
+    return results;
+  const Mesh mesh = surfaces::to_mesh<Mesh>(indexed);
+  results.push_back(
+      {{"plain", comparison::counts_of_insertion<CGAL::Plain_insertion_traits_3>(mesh, seed)},
+       {"random", comparison::counts_of_insertion<meters::Random_tracing_traits>(mesh, seed)},
+       {"sorted", comparison::counts_of_insertion<CGAL::Tracing_traits_3>(mesh, seed)}});
+  return results;
+}
+
+// Counts one of these with other points and another order for every seed.
 void count_work(const Options& options, const comparison::Program& program, Json& report)
 {
   for (const std::size_t size : options.work_sizes)
     for (unsigned int seed = options.seed; seed < options.seed + options.seeds; ++seed)
-      for (const Theory_surface& surface : work_surfaces(seed)) {
+      for (const Theory_surface& surface : work_surfaces(seed, options.rounds)) {
         const auto& names = options.surfaces;
         if (size < surface.least_size ||
             (!names.empty() && std::find(names.begin(), names.end(), surface.name) == names.end()))
           continue;
         const Indexed_surface indexed = surface.make(size);
-        std::map<std::string, Edges> subgraphs = {
-            {"Euclidean minimum spanning tree", emst_of(indexed.points)}};
-        if (!indexed.faces.empty())
-          subgraphs["subgraph of bounded degree"] = bounded_degree_edges(indexed);
-        for (const auto& [name, T] : subgraphs) {
+        for (const Json& work :
+             options.rounds ? work_of_rounds(indexed, seed) : work_of_history(indexed, seed)) {
           Json result = {{"surface", surface.name},
                          {"size", size},
                          {"points", indexed.points.size()},
-                         {"T", name},
                          {"seed", seed}};
-          result.update(Total_work(indexed.points, T, seed)());
+          result.update(work);
           std::cerr << result.dump() << '\n';
           report["work"].push_back(result);
           program.write(report);
@@ -405,7 +437,7 @@ void measure_into(const Options& options, const comparison::Program& program, Js
   if (options.threads == 0)
     throw std::invalid_argument("--threads must be at least 1");
   if (!options.work_sizes.empty()) {
-    describe(work_surfaces(options.seed), report);
+    describe(work_surfaces(options.seed, options.rounds), report);
     count_work(options, program, report);
     return;
   }
@@ -443,7 +475,7 @@ int main(int argc, char** argv)
                  "delaunay-sphere, delaunay-genus-3, bunny, armadillo, bunny-alike, "
                  "delaunay-round-genus-3, genus-50; default: all; for --subgraph-sizes also "
                  "marching-cubes, delaunay-marching-cubes, noise, delaunay-noise, room; for "
-                 "--work-sizes cube, torus, hub, genus-50");
+                 "--work-sizes cube, torus, hub, genus-50, and with --rounds tube");
   program.option("sizes", o.sizes, "N...",
                  "numbers of points to count at; default: the powers of 2 from 1024 to 1048576");
   program.option("time-sizes", o.time_sizes, "N...",
@@ -456,6 +488,8 @@ int main(int argc, char** argv)
   program.option("work-sizes", o.work_sizes, "N...",
                  "numbers of points to count the total work of the paper's Q at, with T = EMST and "
                  "the subgraph of bounded degree; then nothing else is measured");
+  program.option("rounds", o.rounds,
+                 "count that of walks and traces in place of Q, in random rounds and sorted");
   program.option("seeds", o.seeds, "N", "how many seeds for that, from --seed on");
   program.option("data-dir,d", o.data_dir, "FOLDER",
                  "where bunny00.off and armadillo.off are (Debian: libcgal-demo)");

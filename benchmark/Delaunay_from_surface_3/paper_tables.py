@@ -3,11 +3,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 """The tables of the manual's page on the paper, from what location_costs, measure_subgraphs, measure_uniform_samples,
-compare_with_plain and measure_single_calls.py wrote."""
+compare_with_plain, count_instructions.py and measure_single_calls.py wrote."""
 
 import statistics
 
-from manual_tables import cell, table
+from manual_tables import cell, range_of, table
 from speed_tables import gain, surface_of, two
 
 EMST = "Euclidean minimum spanning tree"
@@ -100,7 +100,7 @@ def crossings(*reports):
 
 
 ORDERS = {"tracing": "the paper's, from the trace",
-          "tracing-hilbert": "the same along Hilbert curves, from the trace",
+          "tracing-hilbert": "the same in sorted rounds, from the trace",
           "geometric-traced": "coherent rounds, from the trace",
           "geometric-neighbor": "coherent rounds, from a neighbour on F",
           "plain-order": "plain %CGAL's, from the point before",
@@ -119,9 +119,52 @@ def genus_50(small, large, calls):
         seconds = found[-1]["phases"]["seconds"]
         rows.append([title, *(f"{c:.0f}" for c in cells), f'{found[-1]["predicates"]["all_calls_per_point"]:.0f}',
                      f'{seconds["trace"] + seconds["location"]:.1f}+{seconds["update"]:.1f}'])
+    of_update = {name: [m["phases"]["seconds"]["update"] for report in (small, large) for r in report["results"]
+                        for m in r["methods"] if m["method"] == name] for name in ("tracing", "plain-order")}
+    longer = [random / plain for random, plain in zip(of_update["tracing"], of_update["plain-order"])]
     whole = next(r for r in calls["results"] if surface_of(r) == "genus-50")
     return (table(["order and start", *(f'cells, {r["points"]}' for r in reports), "calls", "seconds"], rows) +
-            f'\n\nThe default is {two(gain(whole, "default"))} times as fast as plain %CGAL here (`{calls["name"]}.json`).')
+            f'\n\nThe default is {two(gain(whole, "default"))} times as fast as plain %CGAL here (`{calls["name"]}.json`). In the '
+            f'paper\'s random order the same updates take {range_of(longer, "{:.1f}")} times as long as in plain %CGAL\'s, on all '
+            "surfaces of these files, since successive points lie far apart in memory.")
+
+
+def rounds(report):
+    """Cells created and calls per point: random rounds / the same rounds sorted / plain CGAL's order."""
+    found = {}
+    for r in report["work"]:
+        found.setdefault(r["surface"], {}).setdefault(r["size"], []).append(r)
+    sizes = sorted({size for of_size in found.values() for size in of_size})
+    counted = {"created": ("{:.1f}", lambda r: r["cells"]["created"]),
+               "calls": ("{:.0f}", lambda r: r["predicates"]["all_calls_per_point"])}
+    rows = []
+    for surface in ("torus", "hub", "tube", "genus-50"):
+        for what, (form, of) in counted.items():
+            rows.append([f"{surface}, {what}", *(
+                " / ".join(form.format(statistics.mean(of(r[order]) for r in found[surface][size]))
+                           for order in ("random", "sorted", "plain")) if size in found[surface] else "–" for size in sizes)])
+    return table(["surface", *(rf"\f$2^{{{size.bit_length() - 1}}}\f$" for size in sizes)], rows)
+
+
+FREE = {"spatial-sort": "plain %CGAL's", "nets": "nets", "paper": "the paper's sorted rounds, from the trace"}
+
+
+def floor(report):
+    """Instructions of plain CGAL / those of CGAL's insertion in an order, whole, without location, and without the plan, too."""
+    meshes = report["insertion_parts"]
+    rows = []
+    for order, title in FREE.items():
+        cells = []
+        for mesh in meshes:
+            part = mesh["orders"][order]
+            whole = mesh["traces"] if order == "paper" else sum(part.values())
+            cells += [two(mesh["plain"] / count) for count in (whole, part["plan"] + part["update"], part["update"])]
+        rows.append([title, *cells])
+    share = [part["update"] / sum(part.values()) for mesh in meshes for order, part in mesh["orders"].items() if order != "paper"]
+    names = [mesh["mesh"].split("_")[0] for mesh in meshes]
+    return (table(["order", *(f"{name}: {what}" for name in names for what in
+                              ("as it is", "location free", "location and plan free"))], rows) +
+            f'\n\nUpdates are {100 * min(share):.0f} to {100 * max(share):.0f} % of the instructions in the first two orders.')
 
 
 CHANGES = [("none", 0), ("jitter", 0.45), ("decimated", 16), ("random edges", 0.01), ("random edges", 1)]

@@ -23,7 +23,8 @@ COMMANDS = {"tetgen": ("TETGEN_PEER", ""), "geogram": ("GEOGRAM_PEER", "1"), "ge
 LIBRARIES = {name: f"{os.path.abspath(os.environ[variable])} {threads}"
              for name, (variable, threads) in COMMANDS.items() if variable in os.environ}
 MEASURE_THREADS = os.environ.get("MEASURE_THREADS", "")
-METHODS = ["plain", "plain-fast", "default", "default-fast", "compact-spatial", "compact-nets", "nets", "plain-order", "tracing"]
+METHODS = ["plain", "plain-fast", "default", "default-fast", "compact-spatial", "compact-nets", "nets", "plain-order", "tracing",
+           "tracing-hilbert", "random-last", "random-insert", "random-hilbert", "random-fast"]
 PEERS = [word for name, command in {"again": PEER, "broken": "false", "mute": "echo", **LIBRARIES}.items()
          for word in ("--peer", f"{name}={command}")]
 
@@ -59,7 +60,9 @@ class Comparison(ProgramCase):
         for name in ("default", "compact-spatial"):
             self.between(1, methods[name]["kernel"]["cells_tested_to_start"], 200)
             self.between(20, methods[name]["kernel"]["sphere_tests"], 200)
-        for name in ("nets", "plain-order", "tracing"):  # CGAL's insertion
+        entered = {name: methods[name]["predicates"]["location"]["cells_entered"] for name in ("random-last", "random-hilbert")}
+        self.between(0, entered["random-hilbert"], entered["random-last"] / 2)
+        for name in ("nets", "plain-order", "tracing", "tracing-hilbert"):  # CGAL's insertion
             self.between(5, methods[name]["predicates"]["update"]["in_sphere"], 200)
         # The order decides what is destroyed, whoever inserts; only the beginnings differ.
         for ours, cgal in (("compact-nets", "nets"), ("compact-spatial", "plain-order")):

@@ -17,8 +17,17 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Traits
 
 is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1), with a walk instead of its
-location structure Q: random order, rounds that end at \f$N_h\f$, and a trace of a spanning subgraph
-T of bounded degree at the end of each round but the last. Round 1 follows a Hilbert curve.
+location structure Q: random rounds that end at \f$N_h\f$, and a trace of a spanning subgraph T of
+bounded degree at the end of each round but the last. Its purpose is to study the paper. For speed
+use the default, `Surface_insertion_traits_3`.
+
+Each round is sorted along a Hilbert curve, so that successive points are near each other in memory.
+The sets of points inserted by the ends of the rounds stay random, and with them what the paper says
+of the sizes of the triangulations traced. Its bounds on location and on the cells created need a
+random order inside the rounds, too; with
+`Tracing_traits_3(Delaunay_from_surface_3::Log_star_rounds::FIRST_ROUND)` the order is random from
+the second round on, and the insertion takes several times as long.
+\ref delaunay_from_surface_3_the_paper "The page on the paper" counts the work of both.
 
 T is that of `Bounded_degree_subgraph`, for meshes and soups. For a surface that this refuses, and
 for a graph without faces, T is a `Spanning_forest`, whose degree is not bounded, and the visitor is
@@ -28,11 +37,26 @@ The bound of \f$O(n \log^* n)\f$ expected time holds for the paper's Q; it is no
 
 \cgalModels{SurfaceInsertionTraits_3}
 */
-struct Tracing_traits_3
-  : Surface_insertion_policies_3<Delaunay_from_surface_3::Bounded_degree_subgraph,
-                                 Delaunay_from_surface_3::Log_star_rounds,
-                                 Delaunay_from_surface_3::Traced_hints_3>
+class Tracing_traits_3
+  : public Surface_insertion_policies_3<Delaunay_from_surface_3::Bounded_degree_subgraph,
+                                        Delaunay_from_surface_3::Log_star_rounds,
+                                        Delaunay_from_surface_3::Traced_hints_3>
 {
+public:
+  /// chooses the rounds that are sorted.
+  explicit Tracing_traits_3(Insertion_plan::Sorted_rounds sorted = Insertion_plan::ALL_ROUNDS)
+    : m_sorted(sorted)
+  {
+  }
+
+  /// returns the paper's rounds, sorted as chosen.
+  Insertion_plan insertion_plan_object(unsigned int seed) const
+  {
+    return Insertion_plan(seed, m_sorted);
+  }
+
+private:
+  Insertion_plan::Sorted_rounds m_sorted;
 };
 
 /*!

@@ -66,12 +66,12 @@ using Nets_core = Core<Surface_net_rounds, Planned_hints_3>;
 using Geometric_core = Core<Geometric_rounds, Planned_hints_3>;
 using Started_core = Core<meters::Neighbor_started_rounds<Random_plan>, Planned_hints_3>;
 using Spatial_core = Core<Spatial_sort_order, Previous_hint_3>;
-using Hilbert_core = Core<meters::Hilbert_log_star_rounds, Previous_hint_3>;
+using Hilbert_core = Core<Log_star_rounds, Previous_hint_3>;
 using Nets_through_cgal =
     Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Neighbor_hints_3>;
 using Planned_through_cgal = tests::Round_the_core<Random_core>;
 using Traced_random =
-    Surface_insertion_policies_3<Spanning_forest, Log_star_rounds, Traced_hints_3>;
+    Surface_insertion_policies_3<Spanning_forest, meters::Random_log_star_rounds, Traced_hints_3>;
 
 using Tr = Delaunay_triangulation_3<Exact_predicates_inexact_constructions_kernel>;
 

@@ -190,7 +190,6 @@ BOOST_AUTO_TEST_CASE(plans_are_permutations_with_increasing_rounds)
   check_plan<DFS::Geometric_rounds>();
   check_plan<DFS::Spaced_rounds>();
   check_plan<DFS::Spatial_sort_order>();
-  check_plan<meters::Hilbert_log_star_rounds>();
   check_plan<meters::Neighbor_started_rounds<DFS::Geometric_rounds>>();
 }
 
@@ -209,45 +208,42 @@ BOOST_AUTO_TEST_CASE(seeds_draw_the_order)
               order_by(DFS::Spatial_sort_order(2), points).order));
 }
 
+// Sorted rounds hold the same points as those of the paper's random order. The first round alone
+// may be sorted.
 BOOST_AUTO_TEST_CASE(sorted_rounds_keep_the_sets)
 {
+  using DFS::Log_star_rounds;
   const std::vector<Point> points = surfaces::sphere(2000, 0.1).points;
-  const auto random = order_by(DFS::Log_star_rounds(5), points);
-  const auto sorted = order_by(meters::Hilbert_log_star_rounds(5), points);
-  BOOST_TEST((sets_of_rounds(random) == sets_of_rounds(sorted)));
-  BOOST_TEST(random.round_ends == sorted.round_ends, boost::test_tools::per_element());
-  BOOST_TEST((random.order != sorted.order));
-
-  // The first round of the paper's plan is sorted already, and no other.
-  const std::size_t N_1 = random.round_ends[0], N_2 = random.round_ends[1];
-  BOOST_TEST(std::equal(random.order.begin(), random.order.begin() + std::ptrdiff_t(N_1),
-                        sorted.order.begin()));
-  BOOST_TEST(!std::equal(random.order.begin() + std::ptrdiff_t(N_1),
-                         random.order.begin() + std::ptrdiff_t(N_2),
-                         sorted.order.begin() + std::ptrdiff_t(N_1)));
+  const auto random = order_by(Log_star_rounds(5, Log_star_rounds::NO_ROUND), points);
+  const auto first = order_by(Log_star_rounds(5, Log_star_rounds::FIRST_ROUND), points);
+  const auto sorted = order_by(Log_star_rounds(5), points);
+  for (const auto* plan : {&first, &sorted}) {
+    BOOST_TEST((sets_of_rounds(*plan) == sets_of_rounds(random)));
+    BOOST_TEST(plan->round_ends == random.round_ends, boost::test_tools::per_element());
+  }
+  const auto begin = random.order.begin(), sorted_begin = sorted.order.begin();
+  const auto N_1 = std::ptrdiff_t(random.round_ends[0]), N_2 = std::ptrdiff_t(random.round_ends[1]);
+  BOOST_TEST(!std::equal(begin, begin + N_1, sorted_begin));
+  BOOST_TEST(!std::equal(begin + N_1, begin + N_2, sorted_begin + N_1));
+  BOOST_TEST(std::equal(sorted_begin, sorted_begin + N_1, first.order.begin()));
+  BOOST_TEST(std::equal(begin + N_1, random.order.end(), first.order.begin() + N_1));
 }
 
-// The bounds of the history hold for the paper's own order.
-BOOST_AUTO_TEST_CASE(the_history_s_traits_sort_no_round)
+// The bounds of the history hold for the paper's own order, which other traits may ask for.
+BOOST_AUTO_TEST_CASE(traits_choose_the_rounds_that_are_sorted)
 {
+  using DFS::Log_star_rounds;
   const std::vector<Point> points = surfaces::sphere(2000, 0.1).points;
-  const auto plan = CGAL::History_tracing_traits_3().insertion_plan_object(5);
-  BOOST_TEST(
-      (order_by(plan, points).order == order_by(meters::Random_log_star_rounds(5), points).order));
-}
-
-// The plan of the paper to the letter is random in the first round too; from then on the two are
-// one.
-BOOST_AUTO_TEST_CASE(only_the_first_of_the_papers_rounds_is_sorted)
-{
-  const std::vector<Point> points = surfaces::sphere(2000, 0.1).points;
-  const auto random = order_by(meters::Random_log_star_rounds(5), points);
-  const auto sorted = order_by(DFS::Log_star_rounds(5), points);
-  BOOST_TEST((sets_of_rounds(random) == sets_of_rounds(sorted)));
-  const auto N_1 = std::ptrdiff_t(random.round_ends[0]);
-  BOOST_TEST(!std::equal(random.order.begin(), random.order.begin() + N_1, sorted.order.begin()));
-  BOOST_TEST(
-      std::equal(random.order.begin() + N_1, random.order.end(), sorted.order.begin() + N_1));
+  const auto order_of = [&](const auto& traits) {
+    return order_by(traits.insertion_plan_object(5), points).order;
+  };
+  const auto order = [&](Log_star_rounds::Sorted_rounds sorted) {
+    return order_by(Log_star_rounds(5, sorted), points).order;
+  };
+  BOOST_TEST((order_of(CGAL::History_tracing_traits_3()) == order(Log_star_rounds::NO_ROUND)));
+  BOOST_TEST((order_of(CGAL::Tracing_traits_3()) == order(Log_star_rounds::ALL_ROUNDS)));
+  BOOST_TEST((order_of(CGAL::Tracing_traits_3(Log_star_rounds::FIRST_ROUND)) ==
+              order(Log_star_rounds::FIRST_ROUND)));
 }
 
 BOOST_AUTO_TEST_CASE(spatial_sort_order_is_that_of_spatial_sort)

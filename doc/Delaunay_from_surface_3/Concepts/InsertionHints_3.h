@@ -20,7 +20,8 @@ be followed in both directions. Points are numbered in the order of their insert
 target.
 
 A model may be derived from `CGAL::Delaunay_from_surface_3::Previous_hint_3`, and then has all
-members already; those that it declares itself take their place.
+members already; those that it declares itself take their place. `CGAL/Surface_insertion_traits_3.h`
+includes all that it needs. Example: \ref Delaunay_from_surface_3/own_hints.cpp
 
 With `Planned_hints_3` and `Previous_hint_3` the points can go through the core
 (`SurfaceInsertionTraits_3::through_core`), which uses the same starting points.

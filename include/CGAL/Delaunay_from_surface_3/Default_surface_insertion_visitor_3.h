@@ -25,9 +25,9 @@ enum class Surface_insertion_phase {
   ROUND,     ///< `number` points are inserted in a round, at least 1 (Choi 2002, Fig.\ 1).
   LOCATION,  ///< a point is located (line 2b).
   UPDATE,    ///< a point is inserted (line 2c).
-  TRACE,  ///< T is traced (line 2a) for the `number` points that follow; 0 if the hints use no T.
-  FINISH, ///< the triangulation is handed over.
-  DONE    ///< the work is done.
+  TRACE,     ///< T is traced (line 2a); the next round has `number` points; 0 if no T is used.
+  FINISH,    ///< the triangulation is handed over.
+  DONE       ///< the work is done.
 };
 
 /*!

@@ -72,6 +72,7 @@ public:
                         const CGAL::Delaunay_from_surface_3::Insertion_order& plan)
     : Base(target, subgraph, plan)
     , m_target(target)
+    , m_plan(plan)
   {
   }
 
@@ -91,23 +92,23 @@ public:
   std::size_t trace()
   {
     const std::size_t located = Base::trace();
-    std::size_t missing = 0;
-    for (std::size_t i = 0; i < m_target.size(); ++i) {
-      if (m_target.vertex(i) != Vertex())
-        continue;
-      ++missing;
+    const std::size_t begin = m_plan.round_ends[m_round++], end = m_plan.round_ends[m_round];
+    for (std::size_t i = begin; i < end; ++i) {
+      BOOST_TEST((m_target.vertex(i) == Vertex()));
       const Vertex v = Base::recorded_vertex(i);
       BOOST_TEST_REQUIRE(m_target.triangulation().tds().is_vertex(v));
       BOOST_TEST(!m_target.triangulation().is_infinite(v));
       BOOST_TEST(is_vertex_at(m_target.triangulation(), v, m_target.point(i)));
     }
-    BOOST_TEST(located == missing);
+    BOOST_TEST(located == end - begin);
     number_of_traced_points += located;
     return located;
   }
 
 private:
   const Target& m_target;
+  const CGAL::Delaunay_from_surface_3::Insertion_order& m_plan;
+  std::size_t m_round = 0;
 };
 
 // For a plan by Neighbor_started_rounds: what is planned must be what the graph tells by then.

@@ -42,7 +42,7 @@ void check_all_plans_and_hints(const Case& plain_case)
   check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Log_star_rounds>(plain_case);
   check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Geometric_rounds>(plain_case);
   check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Spatial_sort_order>(plain_case);
-  check_all_hints<Subgraph, meters::Hilbert_log_star_rounds>(plain_case);
+  check_all_hints<Subgraph, meters::Random_log_star_rounds>(plain_case);
   check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Surface_net_rounds>(plain_case);
 }
 

@@ -13,6 +13,8 @@
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_meters/orders.h>
 
+#include <Hilbert_neighbor_hints.h> // from the examples
+
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
@@ -99,6 +101,15 @@ struct By_cgal : Policies
   static constexpr bool through_core = false;
 };
 
+// The order of the paper, and CGAL's insertion from where the hints say.
+template <template <class Target, class Subgraph> class Hints>
+struct In_random_order
+  : CGAL::Surface_insertion_policies_3<CGAL::Delaunay_from_surface_3::No_subgraph,
+                                       meters::Random_log_star_rounds, Hints>
+{
+  static constexpr bool through_core = false;
+};
+
 // Plain CGAL is the first: the others are compared with it.
 inline std::vector<Method> all_methods()
 {
@@ -134,11 +145,18 @@ inline std::vector<Method> all_methods()
       surface_method<
           Surface_insertion_policies_3<Bounded_degree_subgraph, Geometric_rounds, Traced_hints_3>>(
           "geometric-traced", "rounds that grow geometrically, traces"),
-      surface_method<Surface_insertion_policies_3<Bounded_degree_subgraph,
-                                                  meters::Hilbert_log_star_rounds, Traced_hints_3>>(
-          "tracing-hilbert", "the paper's rounds and traces, rounds sorted along a Hilbert curve"),
-      surface_method<Tracing_traits_3>("tracing",
-                                       "Tracing_traits_3: the paper's random order and traces"),
+      surface_method<Tracing_traits_3>("tracing-hilbert",
+                                       "Tracing_traits_3: the paper's rounds, sorted, and traces"),
+      surface_method<meters::Random_tracing_traits>(
+          "tracing", "Tracing_traits_3(FIRST_ROUND): the paper's random order and traces"),
+      surface_method<In_random_order<Previous_hint_3>>("random-last",
+                                                       "random order, point inserted before"),
+      surface_method<In_random_order<meters::No_hint_3>>("random-insert",
+                                                         "random order, insert(p) of CGAL"),
+      surface_method<In_random_order<Hilbert_neighbor_hints>>(
+          "random-hilbert", "random order, nearest inserted point along a Hilbert curve"),
+      {"random-fast", "random order, insert(p) of CGAL with Fast_location",
+       build_by_package<Fast_triangulation, In_random_order<meters::No_hint_3>>, nullptr, nullptr},
   };
 }
 

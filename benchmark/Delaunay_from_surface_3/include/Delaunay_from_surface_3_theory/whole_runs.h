@@ -44,14 +44,6 @@ struct Root_hints_3 : meters::History_hints_3<Target, Subgraph>
   std::size_t trace() { return 0; }
 };
 
-// None: where a triangulation can do without, as with Fast_location.
-template <class Target, class Subgraph>
-struct No_hint_3 : DFS::Previous_hint_3<Target, Subgraph>
-{
-  using DFS::Previous_hint_3<Target, Subgraph>::Previous_hint_3;
-  typename Target::Cell start(std::size_t) const { return {}; }
-};
-
 // From any of the points inserted.
 template <class Target, class Subgraph>
 class Random_hint_3 : public DFS::Previous_hint_3<Target, Subgraph>
@@ -120,9 +112,9 @@ struct Whole_run
 inline std::vector<Whole_run> whole_runs()
 {
   using namespace comparison;
-  using Tracing = CGAL::Tracing_traits_3;
+  using Tracing = meters::Random_tracing_traits;
   using Plain = CGAL::Plain_insertion_traits_3;
-  using Fast = Random_order_traits<No_hint_3>;
+  using Fast = Random_order_traits<meters::No_hint_3>;
   return {
       {"history-root", nullptr, times_of_run<Random_order_traits<Root_hints_3>, Triangulation>},
       {"history-trace", nullptr, times_of_run<CGAL::History_tracing_traits_3, Triangulation>},

@@ -37,7 +37,7 @@ public:
   struct Round
   {
     std::size_t number_of_points = 0;        // points of the round; after a stop not all are in.
-    std::size_t number_of_traced_points = 0; // points for which T is traced at its end.
+    std::size_t number_of_traced_points = 0; // points of the next round, for which T is traced.
 
     // returns what was metered in `phase`.
     const Reading& operator[](CGAL::Surface_insertion_phase phase) const

@@ -8,27 +8,38 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Tracing_traits_3.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
-// Log_star_rounds that are a type for each way to sort them, as Surface_insertion_policies_3 asks.
 namespace meters {
 
-template <CGAL::Delaunay_from_surface_3::Log_star_rounds::Sorted_rounds sorted>
-struct Sorted_log_star_rounds : CGAL::Delaunay_from_surface_3::Log_star_rounds
+// The paper's plan to the letter, as a type, and traits with its random order, as far as walks allow.
+struct Random_log_star_rounds : CGAL::Delaunay_from_surface_3::Log_star_rounds
 {
-  explicit Sorted_log_star_rounds(unsigned int seed = 0)
-    : Log_star_rounds(seed, sorted)
+  explicit Random_log_star_rounds(unsigned int seed = 0)
+    : Log_star_rounds(seed, NO_ROUND)
   {
   }
 };
 
-using Random_log_star_rounds =
-    Sorted_log_star_rounds<CGAL::Delaunay_from_surface_3::Log_star_rounds::NO_ROUND>;
-using Hilbert_log_star_rounds =
-    Sorted_log_star_rounds<CGAL::Delaunay_from_surface_3::Log_star_rounds::ALL_ROUNDS>;
+struct Random_tracing_traits : CGAL::Tracing_traits_3
+{
+  Random_tracing_traits()
+    : Tracing_traits_3(Insertion_plan::FIRST_ROUND)
+  {
+  }
+};
+
+// No hint at all: the location starts where insert(p) starts, with Fast_location at the top.
+template <class Target, class Subgraph>
+struct No_hint_3 : CGAL::Delaunay_from_surface_3::Previous_hint_3<Target, Subgraph>
+{
+  using CGAL::Delaunay_from_surface_3::Previous_hint_3<Target, Subgraph>::Previous_hint_3;
+  typename Target::Cell start(std::size_t) const { return {}; }
+};
 
 // Beyond the paper: once the order is known, so is which surface neighbour of a point will have
 // been inserted last when its turn comes. One pass over the edges of F finds it for all points.

@@ -380,8 +380,8 @@ starts at the conflict set that the last trace recorded for the point, or at the
 no trace. If the root has more than 256 cells, because the history began with a triangulation that
 had vertices, or with many points in a plane, the point is located by a walk from the vertex
 inserted last instead. A trace works as in `Traced_hints_3`, but records sets of nodes instead of
-vertices. The paper records only the cell that contains the point; a search from that cell alone can
-miss cells (`Conflict_history_3`).
+vertices, and locates all points not yet inserted, as the paper does. The paper records only the
+cell that contains the point; a search from that cell alone can miss cells (`Conflict_history_3`).
 
 This policy serves the study of the theory: it takes several times the memory of the triangulation,
 and is slower than a walk on all surfaces measured.
@@ -391,7 +391,7 @@ search for point i after a trace in the triangulation of k points takes expected
 \f$O(\log(i/k))\f$ time (Theorem 3 and Lemma 4). Walks that replace a large root have no such bound.
 
 <b>Memory</b> besides the history: 25 bytes per point, and 8 bytes for each cell of a record. During
-a trace, in addition, the previous records, and at most 16 bytes per point.
+a trace, in addition, the previous records, and at most 24 bytes per point.
 
 \tparam Target `Triangulation_target_3`, not of a triangulation with `Fast_location`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T

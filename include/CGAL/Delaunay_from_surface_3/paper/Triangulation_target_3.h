@@ -150,6 +150,9 @@ public:
   /// returns the triangulation.
   const Triangulation& triangulation() const { return m_tr; }
 
+  /// returns all points, in the order of their insertion.
+  const std::vector<Point>& points() const { return m_points; }
+
   /// returns point `i`.
   const Point& point(std::size_t i) const { return m_points[i]; }
 
@@ -261,7 +264,7 @@ bool insert_in_traced_rounds(const Insertion_order& plan, Target& target, Hints&
       target.insert(i, d_i, hints); // 2c
     }
     if (N_h < target.size()) {
-      observer.phase_begins(Phase::TRACE, Hints::uses_subgraph ? target.size() - N_h : 0);
+      observer.phase_begins(Phase::TRACE, Hints::uses_subgraph ? plan.round_ends[h + 1] - N_h : 0);
       hints.trace(); // 2a
     }
   }

@@ -14,9 +14,10 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -179,24 +180,28 @@ private:
 // The following implements Choi 2002, Fig. 1, line 2a: "trace T through D(S_{N_h}) to determine
 // d_{N_h}(s_k) for all k > N_h", and line 2b: s_i is then located "starting from d_{N_{h-1}}(s_i)".
 //
-// Invariant: after a trace, the record of every point not yet inserted is a finite vertex of the
+// Invariant: after a trace, the record of every point of the next round is a finite vertex of the
 // cell that contains it. While points are only inserted, a vertex is never destroyed, but the cell
 // can be.
-// Cost: one walk per edge of a spanning forest of T; expected O(n) cells per trace if T consists of
-// Delaunay edges and has bounded degree (Lemma 2, Theorem 3).
+// Cost: one walk per point located; expected O(n) cells per trace if T consists of Delaunay edges
+// and has bounded degree (Lemma 2, Theorem 3), and all points are located.
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
 
 is the trace (\cgalCite{choi-dtsm-02}, Fig.\ 1, line 2a), independent of what is recorded. It
-traverses T depth first from inserted vertices outwards, and locates every point not yet inserted
-from the cell of the neighbour that led to it. Your own hint policy may use it as `Traced_hints_3`
-does.
+traverses T depth first from inserted vertices outwards, to find for each point not yet inserted the
+neighbour that leads to it. Then it locates the points in the order of their numbers, each from the
+cell of that neighbour, which is located before. In a sorted round, successive points are near each
+other in memory, too. Your own hint policy may use it as `Traced_hints_3` does.
+
+If only the points up to some number are located, as those of the next round, the traversal passes
+over the others, and a point is located from the last point before them.
 
 <b>Complexity</b>: \f$O(n)\f$ time for the traversal, plus the cells that the locations enter. There
 is no recursion: T may be a path of millions of vertices.
 
-<b>Memory</b>: a byte per point, and during a trace at most an index and a cell handle per point.
+<b>Memory</b>: during a trace at most two indices and a cell handle per point.
 
 \tparam Target a `Triangulation_target_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
@@ -216,84 +221,111 @@ public:
   }
 
   /*!
-  locates the points that are not yet inserted.
+  locates the points with numbers less than `end` that are not yet inserted.
 
   \param start `start(i)` returns the cell from which point `i` is located, if it is the first of a
   component of T without an inserted vertex
   \param record `record(i, location)` is called for every point `i` that is located
+  \param end by default all points are located
 
   \return how many points were located
   */
   template <class Start, class Record>
-  std::size_t operator()(const Start& start, const Record& record)
+  std::size_t operator()(const Start& start, const Record& record,
+                         std::size_t end = (std::numeric_limits<std::size_t>::max)())
   {
-    m_is_traced.assign(m_target.size(), false);
+    end = (std::min)(end, m_target.size());
+    find_leaders(end);
+    m_cells.assign(end, Cell());
     std::size_t located = 0;
-    for (std::size_t i = 0; i < m_target.size(); ++i) // components that touch the triangulation
-      if (m_target.vertex(i) != Vertex())
-        located += trace_component(i, Cell(), record);
-    for (std::size_t i = 0; i < m_target.size(); ++i) // the others
-      if (!m_is_traced[i])
-        located += trace_component(i, start(i), record);
-    return located;
-  }
-
-private:
-  // Traces a component depth first, without recursion.
-  template <class Record>
-  std::size_t trace_component(std::size_t root, Cell start, const Record& record)
-  {
-    std::size_t located = 0;
-    reach(root, start);
-    while (!m_stack.empty()) {
-      const auto [i, neighbor_cell] = m_stack.back();
-      m_stack.pop_back();
-      Cell cell;
-      if (const Vertex v = m_target.vertex(i); v != Vertex()) {
-        cell = m_target.cell(v);
-      } else {
-        const typename Target::Location d_i = m_target.locate(i, neighbor_cell);
-        record(i, d_i);
-        cell = d_i.cell;
-        ++located;
+    for (std::size_t k = 0; k < end; ++k) {
+      for (std::size_t i = k; !is_known(i); i = m_leaders[i]) {
+        m_stack.push_back(i);
+        if (m_leaders[i] == i)
+          break;
       }
-      for (auto [u, end] = adjacent_vertices(i, m_subgraph); u != end; ++u)
-        reach(*u, cell);
+      for (; !m_stack.empty(); m_stack.pop_back(), ++located) {
+        const std::size_t i = m_stack.back(), leader = m_leaders[i];
+        const typename Target::Location d_i =
+            m_target.locate(i, leader == i ? start(i) : cell(leader));
+        record(i, d_i);
+        m_cells[i] = d_i.cell;
+      }
     }
     return located;
   }
 
-  void reach(std::size_t i, Cell start)
+private:
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  bool is_inserted(std::size_t i) const { return m_target.vertex(i) != Vertex(); }
+
+  bool is_known(std::size_t i) const { return is_inserted(i) || m_cells[i] != Cell(); }
+
+  // Returns the cell of an inserted vertex, or the one in which the point was just located.
+  Cell cell(std::size_t i) const
   {
-    if (!m_is_traced[i])
-      m_stack.emplace_back(i, start);
-    m_is_traced[i] = true;
+    return is_inserted(i) ? m_target.cell(m_target.vertex(i)) : m_cells[i];
+  }
+
+  // The leader of a point is the last point before it on the way of the traversal that is inserted
+  // or less than `end`; the point itself if it is inserted, or if there is none before it.
+  void find_leaders(std::size_t end)
+  {
+    m_leaders.assign(m_target.size(), none);
+    for (std::size_t i = 0; i < m_target.size(); ++i)
+      if (is_inserted(i))
+        m_leaders[i] = i;
+    for (std::size_t i = 0; i < m_target.size(); ++i) // components that touch the triangulation
+      if (is_inserted(i))
+        lead_from(i, end);
+    for (std::size_t i = 0; i < end; ++i) // the others
+      if (m_leaders[i] == none) {
+        m_leaders[i] = i;
+        lead_from(i, end);
+      }
+  }
+
+  // Traverses T depth first, without recursion, up to points that have a leader.
+  void lead_from(std::size_t root, std::size_t end)
+  {
+    m_stack.push_back(root);
+    while (!m_stack.empty()) {
+      const std::size_t i = m_stack.back(), leader = i < end ? i : m_leaders[i];
+      m_stack.pop_back();
+      for (auto [u, last] = adjacent_vertices(i, m_subgraph); u != last; ++u)
+        if (m_leaders[*u] == none) {
+          m_leaders[*u] = leader;
+          m_stack.push_back(*u);
+        }
+    }
   }
 
   const Target& m_target;
   const Subgraph& m_subgraph;
-  std::vector<char> m_is_traced;
-  std::vector<std::pair<std::size_t, Cell>> m_stack;
+  std::vector<std::size_t> m_leaders, m_stack;
+  std::vector<Cell> m_cells;
 };
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
 
 starts every insertion where the last trace found the point (\cgalCite{choi-dtsm-02}, Fig.\ 1, lines
-2a and 2b), with a walk in place of the paper's location structure Q. A trace traverses T depth
-first from inserted vertices outwards. It locates every point not yet inserted from the cell of the
-neighbour in T that led to it. In a component without an inserted vertex, the first point is located
-from its last record, or, if it has none, from the vertex inserted last.
+2a and 2b), with a walk in place of the paper's location structure Q. A trace follows T from
+inserted vertices outwards (`Trace_subgraph`). It locates and records the points of the next round:
+records of later ones, which the paper determines as well, would be replaced before they are used. In
+a component without an inserted vertex, the first point is located from its last record, or, if it
+has none, from the vertex inserted last.
 
-After a trace the record of a point is a finite vertex of the cell that contains it. While points
-are only inserted, a vertex is never destroyed, but the cell can be.
+After a trace the record of a point of the next round is a finite vertex of the cell that contains
+it. While points are only inserted, a vertex is never destroyed, but the cell can be.
 
-<b>Complexity</b>: the traversal of a trace takes \f$O(n)\f$ time. The whole trace takes expected
-\f$O(n)\f$ time if T has bounded degree and consists of Delaunay edges, and the triangulation has
-linear expected size (Theorem 3).
+<b>Complexity</b>: the traversal of a trace takes \f$O(n)\f$ time. For its walks, which are not
+along T, nothing is claimed; the cells that they enter are measured in
+\ref delaunay_from_surface_3_the_paper "the page on the paper".
 
-<b>Memory</b>: a vertex handle and a byte per point, and during a trace at most an index and a cell
-handle per point.
+<b>Memory</b>: a vertex handle per point, and during a trace at most two indices and a cell handle
+per point.
 
 \tparam Target a `Triangulation_target_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
@@ -312,12 +344,12 @@ public:
   /// `true`: the subgraph is traced.
   static constexpr bool uses_subgraph = true;
 
-  /// keeps references to target and subgraph. The plan is not used.
-  Traced_hints_3(const Target& target, const Subgraph& subgraph,
-                 const Insertion_order& = Insertion_order())
+  /// keeps references to target and subgraph. The rounds are those of `plan`.
+  Traced_hints_3(const Target& target, const Subgraph& subgraph, const Insertion_order& plan)
     : Base(target, subgraph)
     , m_trace(target, subgraph)
     , m_record(target.size())
+    , m_round_ends(plan.round_ends)
   {
   }
 
@@ -332,19 +364,22 @@ public:
     return m_record[i] == Vertex() ? this->m_previous : m_record[i];
   }
 
-  /// locates every point that is not yet inserted and returns their number.
-  /// \pre A point is inserted.
+  /// locates the points of the next round and returns their number.
+  /// \pre A point is inserted, and a round follows.
   std::size_t trace()
   {
     return m_trace([this](std::size_t i) { return start(i); },
                    [this](std::size_t i, const typename Target::Location& location) {
                      m_record[i] = m_target.nearest_vertex(i, location);
-                   });
+                   },
+                   m_round_ends[++m_round]);
   }
 
 private:
   Trace_subgraph<Target, Subgraph> m_trace;
   std::vector<Vertex> m_record;
+  const std::vector<std::size_t>& m_round_ends;
+  std::size_t m_round = 0;
 };
 
 namespace internal {

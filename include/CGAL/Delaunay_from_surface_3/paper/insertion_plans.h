@@ -292,8 +292,9 @@ rounds that end at \f$N_h = \lceil n / \log^{(h)} n \rceil\f$ (log to base 2, it
 all h with \f$\log^{(h)} n \ge 1\f$, of which the largest is \f$\log^* n\f$, and at n. Where two
 round ends coincide, or one is not less than n, the empty round is dropped.
 
-Rounds may be sorted. The set of points inserted by the end of each round is still random, and walks
-from one point to the next are short.
+Rounds are sorted unless you choose otherwise. The set of points inserted by the end of each round is
+still random, and walks from one point to the next are short. But inside a sorted round the order is
+not random, so the paper's bounds on location and on cells created do not apply there.
 
 <b>Complexity</b>: \f$O(n)\f$ for n points, plus expected \f$O(k \log k)\f$ for the k points of
 sorted rounds, which is \f$O(n)\f$ for the first round.
@@ -306,12 +307,12 @@ public:
   /// the rounds that follow a Hilbert curve.
   enum Sorted_rounds {
     NO_ROUND,    ///< the paper's order, required by the bounds of `Conflict_history_hints_3`
-    FIRST_ROUND, ///< for location by walking: in this round there is no trace to start from
+    FIRST_ROUND, ///< the paper's order as far as walks allow: no trace comes before this round
     ALL_ROUNDS   ///< for speed on a machine with caches
   };
 
   /// makes the plan. `seed` determines the random order.
-  explicit Log_star_rounds(unsigned int seed = 0, Sorted_rounds sorted = FIRST_ROUND)
+  explicit Log_star_rounds(unsigned int seed = 0, Sorted_rounds sorted = ALL_ROUNDS)
     : m_seed(seed)
     , m_sorted(sorted)
   {
