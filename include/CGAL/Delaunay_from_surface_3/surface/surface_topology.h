@@ -238,8 +238,8 @@ std::vector<Index> pair_darts(const Rotation_system<Index>& surface)
 // four, around its two triangles: all of them different if there are five vertices or more. So if
 // there are no more cycles than that, these are all. The cycles are counted as by Chiba, Nishizeki
 // 1985: each at its highest vertex v, in the order by degree.
-// Cost: O(n), and for each edge the smaller degree of its ends: O(n) again for bounded genus. 28
-// bytes per vertex besides the lists, for the pairs of darts.
+// Cost: O(n), and for each edge the smaller degree of its ends: O(n) again for bounded genus. 32
+// bytes per vertex besides the lists, for the pairs of darts and the paths.
 
 template <class Index>
 class Find_topology
@@ -368,18 +368,18 @@ private:
       const Index d = m_surface.degree(u);
       return d < degree || (d == degree && u < v);
     };
-    const auto for_each_path_below = [&](const auto& function) {
-      for (const Index u : m_surface.star(v))
-        if (is_below(u))
-          for (const Index w : m_surface.star(u))
-            if (is_below(w))
-              function(w);
-    };
-    for_each_path_below([&](Index w) { cycles.of_four += paths[w]++; });
+    for (const Index u : m_surface.star(v))
+      if (is_below(u))
+        for (const Index w : m_surface.star(u))
+          if (is_below(w))
+            cycles.of_four += paths[w]++;
     for (const Index u : m_surface.star(v))
       if (is_below(u))
         cycles.of_three_twice += paths[u];
-    for_each_path_below([&](Index w) { paths[w] = 0; });
+    for (const Index u : m_surface.star(v))
+      if (is_below(u))
+        for (const Index w : m_surface.star(u))
+          paths[w] = 0;
   }
 
   const Rotation_system<Index>& m_surface;
