@@ -14,12 +14,12 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
 checks whether a set of edges of a triangulated surface spans it, computes the degrees, and checks
-whether these satisfy the bounds that follow from the Euler characteristic of the surface. It
-accepts any set of edges. With the construction of `bounded_degree_spanning_subgraph()` it shares
-only the code that reads the surface.
+whether these satisfy the bounds that follow from Euler characteristic and connectivity, as found by
+`Delaunay_from_surface_3::surface_topology()`. It accepts any set of edges. With the construction of
+`bounded_degree_spanning_subgraph()` it shares only the code that reads the surface.
 
-<b>Complexity</b>: linear time for the surface, \f$O(m \log m)\f$ for m edges of the subgraph, and
-for each of these the smaller degree of its ends in the surface.
+<b>Complexity</b>: that of `Delaunay_from_surface_3::surface_topology()`, \f$O(m \log m)\f$ for m
+edges of the subgraph, and for each of these the smaller degree of its ends in the surface.
 
 \tparam Reader determined by `surface_of()`
 \tparam EdgeRange a range of `Triangulated_surface<Reader>::%edge_descriptor`

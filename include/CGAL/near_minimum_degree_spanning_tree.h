@@ -26,8 +26,10 @@ On a sphere or a disc it is at most 3. On any other closed component with Euler 
 is at most the largest of \f$3 + \lfloor (c(x) - 3) / x \rfloor\f$ over all \f$x \ge 3\f$, where
 \f$c(x) = \min(\lfloor x (x - 1) / 3 \rfloor, 2 x - 2 \chi)\f$. This is
 \f$\sqrt{4 g / 3} + O(1)\f$ for genus g, 4 on a torus, and 5 for g = 2. With boundary,
-\f$x (x + 1)\f$ replaces \f$x (x - 1)\f$ (\ref bds_near_minimum "proof"). The certificate of
-`certify_spanning_subgraph()` says whether the bound is satisfied.
+\f$x (x + 1)\f$ replaces \f$x (x - 1)\f$ (\ref bds_near_minimum "proof"). It is smaller if the
+component is k-connected for a k above 3: \f$\sqrt{4 g / (k (k - 2))} + O(1)\f$, and 3 on a torus
+(\ref bds_connected). `Delaunay_from_surface_3::Surface_component_topology` has the bound, and the
+certificate of `certify_spanning_subgraph()` says whether it is satisfied.
 
 The algorithm starts from the tree of `bounded_degree_spanning_tree()`. While the largest degree is
 4 or more and an exchange of edges (\cgalCite{fr-amdst-94}) makes a vertex of this degree lighter,

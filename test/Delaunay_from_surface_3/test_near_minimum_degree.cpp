@@ -4,7 +4,8 @@
 //
 // Spanning trees of nearly minimum degree: on graphs made to need a large one, on the bouquets on
 // which the tree of bounded degree is as bad as can be, on random surfaces of every kind, and from
-// bad trees. Every witness is counted anew, from the triangles.
+// bad trees. Every witness is counted anew, from the triangles. The sharper bound of triangulations
+// that are 4- or 5-connected, with the connectivity found by trying all sets of vertices.
 
 #define BOOST_TEST_MODULE near_minimum_degree
 #include <boost/test/included/unit_test.hpp>
@@ -204,6 +205,125 @@ Reduced reduce_search_tree(const Triangle_list& s, bool is_breadth_first)
   return of_witnesses.empty() ? result : Reduced{of_witnesses, result.counts};
 }
 
+// The graph of one component with at most 64 vertices, each the set of its neighbours.
+std::vector<std::uint64_t> neighbor_sets(const Triangle_list& s)
+{
+  std::vector<std::uint64_t> result(std::size_t(s.n), 0);
+  for (const Triangle& t : s.triangles)
+    for (const int a : t)
+      for (const int b : t)
+        if (a != b)
+          result[std::size_t(a)] |= std::uint64_t(1) << b;
+  return result;
+}
+
+std::size_t components_without(const std::vector<std::uint64_t>& graph, std::uint64_t x)
+{
+  std::size_t count = 0;
+  std::uint64_t met = x;
+  for (std::size_t root = 0; root < graph.size(); ++root) {
+    if ((met >> root & 1) != 0)
+      continue;
+    ++count;
+    std::vector<std::size_t> stack(1, root);
+    met |= std::uint64_t(1) << root;
+    while (!stack.empty()) {
+      const std::uint64_t found = graph[stack.back()] & ~met;
+      stack.pop_back();
+      met |= found;
+      for (std::size_t v = 0; v < graph.size(); ++v)
+        if ((found >> v & 1) != 0)
+          stack.push_back(v);
+    }
+  }
+  return count;
+}
+
+// The least number of vertices that separate the others, or 5 if it takes more than four.
+std::size_t connectivity_by_trial(const std::vector<std::uint64_t>& graph)
+{
+  std::size_t least = 5;
+  const auto extend = [&](const auto& self, std::uint64_t x, std::size_t size, std::size_t from) {
+    if (size >= least)
+      return;
+    if (components_without(graph, x) > 1) {
+      least = size;
+      return;
+    }
+    for (std::size_t v = from; v < graph.size(); ++v)
+      self(self, x | std::uint64_t(1) << v, size + 1, v + 1);
+  };
+  extend(extend, 0, 0, 0);
+  return least;
+}
+
+Triangle_list icosahedron()
+{
+  Triangle_list s{12, {}};
+  for (int i = 0; i < 5; ++i) {
+    const int j = (i + 1) % 5;
+    s.triangles.push_back({10, i, j});
+    s.triangles.push_back({i, j, 5 + i});
+    s.triangles.push_back({j, 5 + i, 5 + j});
+    s.triangles.push_back({11, 5 + i, 5 + j});
+  }
+  return s;
+}
+
+// Each triangle cut into four, at the middles of its edges.
+Triangle_list subdivided(const Triangle_list& s)
+{
+  Triangle_list result{s.n, {}};
+  std::map<std::pair<int, int>, int> middle;
+  for (const Triangle& t : s.triangles) {
+    Triangle m;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [it, is_new] = middle.emplace(ends(t[k], t[(k + 1) % 3]), result.n);
+      result.n += is_new ? 1 : 0;
+      m[k] = it->second;
+    }
+    result.triangles.push_back(m);
+    for (std::size_t k = 0; k < 3; ++k)
+      result.triangles.push_back({t[k], m[k], m[(k + 2) % 3]});
+  }
+  return result;
+}
+
+DFS::Surface_component_topology topology_of(const Triangle_list& s)
+{
+  std::mt19937 random(1);
+  const Embedded_graph g = embed(s, random);
+  const auto topology = DFS::surface_topology(g.surface());
+  BOOST_TEST_REQUIRE(topology.components.size() == 1u);
+  return topology.components[0];
+}
+
+// Checks that no set X of vertices leaves more components than the bound's proof allows.
+void check_all_sets(const std::vector<std::uint64_t>& graph, std::size_t connectivity,
+                    std::ptrdiff_t chi)
+{
+  const std::ptrdiff_t k = std::ptrdiff_t(connectivity);
+  for (std::uint64_t x = 0; x < std::uint64_t(1) << graph.size(); ++x) {
+    std::ptrdiff_t size = 0;
+    for (std::uint64_t rest = x; rest != 0; rest &= rest - 1)
+      ++size;
+    const auto c = std::ptrdiff_t(components_without(graph, x));
+    BOOST_TEST_REQUIRE((c < 2 || (k * c <= size * (size - 1) && (k - 2) * c <= 2 * (size - chi))));
+  }
+}
+
+// The trees from a bad start obey the bound for the connectivity that is there, known or not.
+void check_search_trees(const Triangle_list& s, DFS::Surface_component_topology topology,
+                        std::size_t connectivity)
+{
+  topology.connectivity = connectivity;
+  for (const bool is_breadth_first : {true, false}) {
+    const Reduced r = reduce_search_tree(s, is_breadth_first);
+    BOOST_TEST(r.complaint == "");
+    BOOST_TEST(r.after <= topology.near_minimum_tree_degree_bound());
+  }
+}
+
 } // namespace
 
 // Every spanning tree has a degree of 3, 7 and 11 at least; the tree of bounded degree has more
@@ -238,6 +358,142 @@ BOOST_AUTO_TEST_CASE(stacked_complete_graphs)
       BOOST_TEST(found.least == e.least);
     if (e.n > 7)
       BOOST_TEST(found.tree > e.bound);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(bounds_by_connectivity)
+{
+  struct Expected
+  {
+    std::size_t genus, bounds[3];
+  };
+  for (const Expected& e : {Expected{0, {3, 3, 3}}, Expected{1, {4, 3, 3}}, Expected{2, {5, 3, 3}},
+                            Expected{3, {5, 4, 3}}, Expected{14, {7, 5, 4}},
+                            Expected{20, {8, 6, 5}}, Expected{133, {16, 11, 9}}}) {
+    DFS::Surface_component_topology topology;
+    topology.number_of_vertices = 1000;
+    topology.number_of_edges = 3 * (1000 + 2 * e.genus - 2);
+    topology.number_of_triangles = 2 * (1000 + 2 * e.genus - 2);
+    BOOST_TEST_REQUIRE(topology.genus() == e.genus);
+    for (std::size_t k = 3; k <= 5; ++k) {
+      topology.connectivity = k;
+      BOOST_TEST(topology.near_minimum_tree_degree_bound() == e.bounds[k - 3]);
+    }
+  }
+}
+
+// Against all sets of up to four vertices: what is claimed is true, and on spheres nothing is
+// missed, since every cycle separates them.
+BOOST_AUTO_TEST_CASE(connectivity_of_small_surfaces)
+{
+  std::vector<Triangle_list> all = {tetrahedron(),
+                                    double_wheel(3),
+                                    double_wheel(4),
+                                    double_wheel(7),
+                                    icosahedron(),
+                                    nested_triangles(4),
+                                    grid_torus(5, 5),
+                                    grid_torus(4, 6),
+                                    grid_torus(3, 5),
+                                    projective_plane(),
+                                    complete_graph(7),
+                                    complete_graph(19),
+                                    subdivided(tetrahedron()),
+                                    subdivided(double_wheel(4)),
+                                    subdivided(projective_plane()),
+                                    subdivided(complete_graph(7))};
+  for (int seed = 0; seed < 400; ++seed) {
+    std::mt19937 random(static_cast<unsigned>(seed));
+    Triangle_list s = seed % 4 == 0   ? icosahedron()
+                      : seed % 4 == 1 ? double_wheel(6)
+                      : seed % 4 == 2 ? grid_torus(4, 5)
+                                      : connected_sum(complete_graph(7), grid_torus(3, 3), random);
+    flip_edges(s, seed / 4 % 8, random);
+    shuffle_names(s, random);
+    all.push_back(s);
+  }
+  for (int seed = 0; seed < 1000; ++seed)
+    all.push_back(cook(random_recipe(seed, false)));
+  std::map<std::pair<bool, std::size_t>, int> found; // by whether it is a sphere
+  int missed = 0, with_boundary = 0;
+  for (const Triangle_list& s : all) {
+    std::mt19937 random(1);
+    const Embedded_graph g = embed(s, random);
+    const auto components = DFS::surface_topology(g.surface()).components;
+    for (const auto& component : components)
+      if (component.number_of_boundary_loops > 0 && ++with_boundary > 0)
+        BOOST_TEST(component.connectivity == 3u);
+    if (s.n > 34 || components.size() != 1 || components[0].number_of_boundary_loops > 0 ||
+        components[0].number_of_vertices != std::size_t(s.n))
+      continue;
+    const auto graph = neighbor_sets(s);
+    const std::size_t claimed = components[0].connectivity, is = connectivity_by_trial(graph);
+    BOOST_TEST_REQUIRE(claimed <= is);
+    if (components[0].euler_genus() == 0 && s.n > 4)
+      BOOST_TEST_REQUIRE(claimed == is);
+    missed += claimed < is ? 1 : 0;
+    ++found[{components[0].euler_genus() == 0, claimed}];
+    if (s.n <= 12)
+      check_all_sets(graph, is, components[0].euler_characteristic());
+    check_search_trees(s, components[0], is);
+  }
+  for (const bool is_sphere : {true, false})
+    for (std::size_t k = 3; k <= 5; ++k) {
+      const int count = found[std::make_pair(is_sphere, k)];
+      BOOST_TEST_MESSAGE((is_sphere ? "spheres" : "others") << " with " << k << ": " << count);
+      BOOST_TEST(count > 0);
+    }
+  BOOST_TEST_MESSAGE(missed << " more are better connected than was found");
+  BOOST_TEST(with_boundary > 0);
+}
+
+// One component of several may be better connected than the others.
+BOOST_AUTO_TEST_CASE(connectivity_of_each_component)
+{
+  std::mt19937 random(1);
+  const Embedded_graph g = embed(
+      disjoint_union(disjoint_union(icosahedron(), nested_triangles(3)), double_wheel(4)), random);
+  const auto components = DFS::surface_topology(g.surface()).components;
+  BOOST_TEST_REQUIRE(components.size() == 3u);
+  BOOST_TEST(components[0].connectivity == 5u);
+  BOOST_TEST(components[1].connectivity == 3u);
+  BOOST_TEST(components[2].connectivity == 4u);
+}
+
+// Of genus 14 and 4-connected: every spanning tree has degree 4 at least, and the search stops at
+// 5. The bound that needs no connectivity is 7. Cycles of three edges that separate nothing keep
+// the count from telling.
+BOOST_AUTO_TEST_CASE(stacked_quadrangles_of_a_complete_graph)
+{
+  const Triangle_list s = stacked_quadrangles();
+  auto topology = topology_of(s);
+  BOOST_TEST(topology.genus() == 14u);
+  BOOST_TEST(topology.connectivity == 3u);
+  BOOST_TEST(topology.near_minimum_tree_degree_bound() == 7u);
+  topology.connectivity = connectivity_by_trial(neighbor_sets(s));
+  BOOST_TEST(topology.connectivity == 4u);
+  BOOST_TEST(topology.near_minimum_tree_degree_bound() == 5u);
+  std::vector<std::size_t> x(13);
+  std::iota(x.begin(), x.end(), std::size_t(0));
+  const DFS::Minimum_degree_witness by_hand{x, components_without(s, x), 0};
+  BOOST_TEST(by_hand.number_of_components == 39u);
+  BOOST_TEST(by_hand.least_degree() == 4u);
+  const Found found = find_trees(s);
+  BOOST_TEST(found.complaint == "");
+  BOOST_TEST(found.near_minimum >= 4u);
+  BOOST_TEST(found.near_minimum <= 5u);
+  check_search_trees(s, topology, 4);
+}
+
+// High genus and 5-connected, which is found: from trees of degree up to 30.
+BOOST_AUTO_TEST_CASE(subdivided_complete_graphs)
+{
+  for (const int n : {7, 19, 31}) {
+    const Triangle_list s = subdivided(complete_graph(n));
+    const auto topology = topology_of(s);
+    BOOST_TEST(topology.connectivity == 5u);
+    check_search_trees(s, topology, 5);
+    BOOST_TEST(topology_of(stacked(s)).connectivity == 3u);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <Delaunay_from_surface_3_triangle_lists/Triangle_list.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <stdexcept>
@@ -57,6 +58,27 @@ inline Triangle_list stacked(const Triangle_list& s)
 inline Triangle_list stacked_complete_graph(int n)
 {
   return stacked(complete_graph(n));
+}
+
+/// The complete graph on 13 vertices with a vertex in each of the 39 quadrangles of an embedding, of
+/// genus 14. Each vertex of the graph is a neighbour of all others, and each vertex put in has four
+/// neighbours: the triangulation is 4-connected, but no more.
+///
+/// Vertices are numbers modulo 13. Each quadruple (a, b, c, d), of sum 0, makes the 13 quadrangles
+/// i, i + a, i + a + b, i + a + b + c, as the triples above make triangles.
+inline Triangle_list stacked_quadrangles()
+{
+  const int n = 13;
+  const std::vector<std::array<int, 4>> quadruples = {{1, 6, 9, 10}, {2, 4, 12, 8}, {3, 7, 5, 11}};
+  Triangle_list result{n, {}};
+  for (const auto& q : quadruples)
+    for (int i = 0; i < n; ++i, ++result.n)
+      for (int k = 0, v = i; k < 4; ++k) {
+        const int next = (v + q[std::size_t(k)]) % n;
+        result.triangles.push_back({v, next, result.n});
+        v = next;
+      }
+  return result;
 }
 
 /// A polygon with rings about its middle, vertex 0, whose sides are glued so that all its corners

@@ -36,6 +36,13 @@ struct Surface_component_topology
   std::size_t number_of_boundary_loops = 0; ///< b
   bool is_orientable = true;                ///< whether its triangles can be oriented consistently
 
+  /// a k ≥ 3 such that the graph is k-connected: fewer than k vertices never separate it. With
+  /// boundary this is meant after closing each loop by a vertex that is joined to all of its
+  /// vertices. `surface_topology()` finds 4 if the component is closed and all its cycles of three
+  /// edges are triangles, 5 if, besides, those of four edges surround two triangles each, otherwise
+  /// 3. If you know more, set it: `near_minimum_tree_degree_bound()` uses it.
+  std::size_t connectivity = 3;
+
   /// returns χ: vertices − edges + triangles.
   std::ptrdiff_t euler_characteristic() const
   {
@@ -72,19 +79,22 @@ struct Surface_component_topology
   }
 
   /// returns the bound on degrees in the tree of `near_minimum_degree_spanning_tree()`. On a sphere
-  /// or a disc this is 3. Elsewhere it is the largest of 3 + ⌊(c(x) − 3) / x⌋ over all x, where
-  /// c(x) bounds the number of components that are left after removing x vertices: the smaller of
-  /// 2x − 2χ and ⌊x (x − 1) / 3⌋, or ⌊x (x + 1) / 3⌋ with boundary.
+  /// or a disc this is 3. Elsewhere it is the largest of 3 and 3 + ⌊(c(x) − 3) / x⌋ over all x.
+  /// There c(x) bounds the number of components that are left after removing x vertices. With
+  /// `connectivity` k it is the smaller of ⌊2 (x − χ) / (k − 2)⌋ and ⌊x (x − 1) / k⌋, or
+  /// ⌊x (x + 1) / k⌋ with boundary.
   std::size_t near_minimum_tree_degree_bound() const
   {
     if (euler_genus() == 0 && number_of_boundary_loops <= 1)
       return 3;
     const std::ptrdiff_t chi = euler_characteristic(), side = number_of_boundary_loops > 0 ? 1 : -1;
-    std::ptrdiff_t bound = 4, by_edges = 0;
-    // Once 2x − 2χ is the smaller one, the quotient falls, or is less than 2.
-    for (std::ptrdiff_t x = 2; by_edges < 2 * (x - 1 - chi); ++x) {
-      by_edges = x * (x + side) / 3;
-      const std::ptrdiff_t c = (std::min)(by_edges, 2 * (x - chi));
+    const std::ptrdiff_t k = std::ptrdiff_t(connectivity);
+    std::ptrdiff_t bound = 3, by_edges = 0, by_euler = 1;
+    // Once the second is the smaller one, the quotient falls, or is at most 2 / (k − 2).
+    for (std::ptrdiff_t x = 2; by_edges < by_euler; ++x) {
+      by_edges = x * (x + side) / k;
+      by_euler = 2 * (x - chi) / (k - 2);
+      const std::ptrdiff_t c = (std::min)(by_edges, by_euler);
       bound = (std::max)(bound, c < 3 ? 0 : 3 + (c - 3) / x);
     }
     return std::size_t(bound);
@@ -217,13 +227,19 @@ std::vector<Index> pair_darts(const Rotation_system<Index>& surface)
 }
 
 // Finds the topology of every component of a rotation system: Euler characteristic, boundary loops,
-// orientability.
+// orientability, and whether a count of short cycles proves more than 3-connectivity.
 //
 // Vertices are visited from neighbour to neighbour. Each gets a turn: whether its list runs against
 // the list of the component's first vertex. Where v's list goes from w to x, w's list goes from x
 // to v if the two run alike, otherwise from v to x; an edge at which the turns do not fit shows
 // that the surface is not orientable.
-// Cost: O(n); 28 bytes per vertex besides the lists, for the pairs of darts.
+//
+// Each triangle of a closed surface is a cycle of three edges, and each edge lies inside one of
+// four, around its two triangles: all of them different if there are five vertices or more. So if
+// there are no more cycles than that, these are all. The cycles are counted as by Chiba, Nishizeki
+// 1985: each at its highest vertex v, in the order by degree.
+// Cost: O(n), and for each edge the smaller degree of its ends: O(n) again for bounded genus. 32
+// bytes per vertex besides the lists, for the pairs of darts and the paths.
 
 template <class Index>
 class Find_topology
@@ -251,6 +267,7 @@ public:
     for (Index v = 0; v < n; ++v)
       if (m_surface.degree(v) == 0)
         m_topology.component_of_vertex[v] = m_topology.components.size();
+    find_connectivity();
     return std::move(m_topology);
   }
 
@@ -320,6 +337,49 @@ private:
       const Star<Index> star = m_surface.star(v);
       v = m_is_on_loop[star[0]] ? star[star.size() - 1] : star[0];
     }
+  }
+
+  void find_connectivity()
+  {
+    std::vector<Short_cycles> cycles(m_topology.components.size());
+    std::vector<Index> paths(m_surface.number_of_vertices(), 0);
+    for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
+      if (m_surface.degree(v) > 0)
+        count_cycles_below(v, paths, cycles[m_topology.component_of_vertex[v]]);
+    for (std::size_t i = 0; i < cycles.size(); ++i) {
+      Surface_component_topology& component = m_topology.components[i];
+      if (component.number_of_boundary_loops > 0 || component.number_of_vertices < 5 ||
+          cycles[i].of_three_twice != 2 * component.number_of_triangles)
+        continue;
+      component.connectivity = cycles[i].of_four == component.number_of_edges ? 5 : 4;
+    }
+  }
+
+  struct Short_cycles
+  {
+    std::size_t of_three_twice = 0, of_four = 0;
+  };
+
+  // Counts the cycles whose highest vertex is v. `paths` counts the paths of two edges from v to
+  // each vertex; it is 0 before and after.
+  void count_cycles_below(Index v, std::vector<Index>& paths, Short_cycles& cycles) const
+  {
+    const auto is_below = [&, degree = m_surface.degree(v)](Index u) {
+      const Index d = m_surface.degree(u);
+      return d < degree || (d == degree && u < v);
+    };
+    for (const Index u : m_surface.star(v))
+      if (is_below(u))
+        for (const Index w : m_surface.star(u))
+          if (is_below(w))
+            cycles.of_four += paths[w]++;
+    for (const Index u : m_surface.star(v))
+      if (is_below(u))
+        cycles.of_three_twice += paths[u];
+    for (const Index u : m_surface.star(v))
+      if (is_below(u))
+        for (const Index w : m_surface.star(u))
+          paths[w] = 0;
   }
 
   const Rotation_system<Index>& m_surface;
@@ -422,9 +482,11 @@ Spanning_subgraph_certificate certify_edges(const Reader& reader,
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
 finds the components of a triangulated surface, and the Euler characteristic, boundary loops,
-orientability and genus of each.
+orientability and genus of each, and a lower bound on its connectivity
+(\ref bds_connected, \cgalCite{cn-asla-85}).
 
-<b>Complexity</b>: linear time.
+<b>Complexity</b>: linear time, and for each edge the smaller degree of its ends, which is linear
+time again on surfaces of bounded genus.
 
 \param surface the surface, from `surface_of()`
 
