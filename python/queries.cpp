@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/complete_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/spanning_trees.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
@@ -155,70 +156,29 @@ py::tuple adjacent_vertices(const Numbers& simplices, std::size_t n, std::size_t
                         array_from(std::move(adjacent.items), {items}));
 }
 
-// Returns the square of a length as an exponent of 2 and a fraction of at least 1/2, so that the
-// squares of very large or small lengths neither overflow nor vanish.
-std::pair<int, double> squared_length(const std::array<double, 3>& p,
-                                      const std::array<double, 3>& q)
+Numbers minimum_spanning_tree(const Points& points, const Numbers& simplices, std::size_t threads)
 {
-  std::array<double, 3> d = {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-  const auto largest = [&] {
-    return (std::max)((std::max)(std::fabs(d[0]), std::fabs(d[1])), std::fabs(d[2]));
-  };
-  int unit = 0, exponent = 0;
-  if (std::isinf(largest())) {
-    d = {p[0] / 2 - q[0] / 2, p[1] / 2 - q[1] / 2, p[2] / 2 - q[2] / 2};
-    unit = 1;
-  }
-  std::frexp(largest(), &exponent);
-  for (double& x : d)
-    x = std::ldexp(x, -exponent);
-  unit += exponent;
-  const double fraction = std::frexp(core::dot(d, d), &exponent);
-  return {2 * unit + exponent, fraction};
-}
-
-// Runs Kruskal's algorithm on the edges of the lists, by lengths as they are computed.
-Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64_t>& firsts,
-                              const Numbers& items)
-{
-  struct Edge
-  {
-    std::pair<int, double> squared_length;
-    Index ends[2];
-  };
+  const Rows rows(simplices);
   const auto n = std::size_t(points.shape(0));
-  const Point_of point_of = {python::Points_view(points)};
-  const auto first_of = firsts.unchecked<1>();
-  const auto item = items.unchecked<1>();
-  if (std::size_t(firsts.shape(0)) != n + 1)
-    throw py::value_error("minimum_spanning_tree: expected as many lists as points");
+  std::vector<double> coordinates;
+  python::copy_points(python::Points_view(points), n, "points: point", coordinates);
   std::vector<Index> tree;
   {
     const python::Unlocked unlocked;
-    const python::Interruptible_executor executor(1);
-    core::Steps step(executor);
-    std::vector<Edge> edges;
-    edges.reserve(std::size_t(items.shape(0)) / 2);
-    for (std::size_t v = 0; v < n; ++v)
-      for (std::int64_t
-               i = (std::max)(first_of(py::ssize_t(v)), std::int64_t(0)),
-               end = (std::min)(first_of(py::ssize_t(v) + 1), std::int64_t(items.shape(0)));
-           i < end; ++i, step()) {
-        const Index w = item(py::ssize_t(i));
-        if (w > Index(v) && std::size_t(w) < n)
-          edges.push_back({squared_length(point_of(v), point_of(std::size_t(w))), {Index(v), w}});
-      }
-    std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
-      step();
-      return std::tie(a.squared_length, a.ends[0], a.ends[1]) <
-             std::tie(b.squared_length, b.ends[0], b.ends[1]);
-    });
-    core::Disjoint_sets<Index> sets(n);
-    for (const Edge& edge : edges) {
-      step();
-      if (sets.unite(edge.ends[0], edge.ends[1]))
-        tree.insert(tree.end(), edge.ends, edge.ends + 2);
-    }
+    const python::Interruptible_executor executor(threads);
+    const core::Rounding_to_nearest rounding;
+    const core::Lengths_between lengths(core::Point_array(coordinates.data(), n));
+    const std::vector<Index> vertices = checked_copy(rows, n);
+    const std::size_t corners = rows.corners();
+    std::vector<core::Measured_edge> edges;
+    if (corners > 1)
+      edges = core::edges_of_simplices(
+          rows.size(), corners, n,
+          [&](std::size_t c, std::size_t k) { return vertices[corners * c + k]; }, lengths,
+          executor);
+    core::keep_minimum_spanning_forest(edges, n, lengths, executor);
+    for (const core::Measured_edge& e : edges)
+      tree.insert(tree.end(), {Index(e.ends[0]), Index(e.ends[1])});
   }
   const auto number = py::ssize_t(tree.size() / 2);
   return array_from(std::move(tree), {number, 2});

@@ -1893,9 +1893,8 @@ class Control(unittest.TestCase):
         for wrong in (triangles.astype(np.int64) + 2**32, triangles + .7):
             with self.assertRaisesRegex(ValueError, "^simplices: expected numbers of 32 bits"):
                 dfs.Delaunay3(points, wrong, None, np.arange(7, dtype=np.int32), 2)
-        lists = dfs.delaunay3(random_points(100))
-        lists.vertex_neighbor_vertices[0][5] = 10**12  # nothing is read beyond the arrays
-        lists.minimum_spanning_tree()
+        with self.assertRaisesRegex(IndexError, "simplices: 6 is not one of the 6 points"):
+            dfs.Delaunay3(points[:6], triangles, None, np.arange(6, dtype=np.int32), 2).minimum_spanning_tree()
         for dimension in (2, 3):  # a full turn of many
             points = np.vstack([[(0, 0, 1.), (0, 0, -1)], np.c_[np.cos(angles / 590 * 350), np.sin(angles / 590 * 350), 0 * angles]])
             self.assertTrue(dfs.delaunay3(points if dimension == 3 else points[:, :2] @ np.eye(2, 3)).check())

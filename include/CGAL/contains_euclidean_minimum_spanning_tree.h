@@ -11,6 +11,8 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
 
@@ -145,12 +147,12 @@ bool contains_euclidean_minimum_spanning_tree(
   for (const auto e : make_range(edges(mesh)))
     if (number(source(e, mesh)) != number(target(e, mesh)))
       forest.push_back(measured_edge(number(source(e, mesh)), number(target(e, mesh)), 0));
-  keep_minimum_spanning_forest(forest, numbered.points, tr.geom_traits());
-  const std::vector<Measured_edge> tree = euclidean_minimum_spanning_tree(tr, numbered);
-  const Compare_lengths<Point, Gt> compare(numbered.points, tr.geom_traits());
-  return std::equal(
-      tree.begin(), tree.end(), forest.begin(), forest.end(),
-      [&](const Measured_edge& a, const Measured_edge& b) { return compare(a, b) == EQUAL; });
+  const Rounding_to_nearest rounding;
+  const Lengths_of_points<Point, Gt> lengths(numbered.points, tr.geom_traits());
+  keep_minimum_spanning_forest(forest, numbered.points.size(), lengths);
+  const auto tree = euclidean_minimum_spanning_tree(tr, numbered, lengths);
+  return std::equal(tree.begin(), tree.end(), forest.begin(), forest.end(),
+                    [&](const auto& a, const auto& b) { return lengths.compare(a, b) == 0; });
 }
 
 } // namespace CGAL

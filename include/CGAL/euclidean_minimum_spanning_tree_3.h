@@ -8,6 +8,11 @@
 // Choi 2002, §3.1: the Euclidean minimum spanning tree is "a subset of its Delaunay triangulation",
 // "constructed by computing D(S) and running a minimum spanning tree algorithm on the edges".
 
+#include <CGAL/Delaunay_from_surface_3/arrays/spanning_trees.h>
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Minimum_spanning_forest.h>
 
@@ -16,6 +21,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -50,17 +57,77 @@ struct Numbered_vertices
   Unique_hash_map<Vertex, std::size_t> number;
 };
 
-// The tree, as edges between these numbers, from the shortest on.
+// The lengths of edges between points, by Lengths_between if the coordinates are doubles.
+// `points[i]` points to point i.
+template <class Point, class GeomTraits,
+          bool has_doubles =
+              std::is_same<std::decay_t<decltype(std::declval<const Point&>().x())>, double>::value>
+class Lengths_of_points : public Lengths_between
+{
+public:
+  Lengths_of_points(const std::vector<const Point*>& points, const GeomTraits&)
+    : Lengths_of_points(coordinates_of(points))
+  {
+  }
+  Lengths_of_points(const Lengths_of_points&) = delete;
+  Lengths_of_points& operator=(const Lengths_of_points&) = delete;
+
+private:
+  explicit Lengths_of_points(std::vector<double>&& coordinates)
+    : Lengths_between(Point_array(coordinates.data(), coordinates.size() / 3))
+    , m_coordinates(std::move(coordinates))
+  {
+  }
+  static std::vector<double> coordinates_of(const std::vector<const Point*>& points)
+  {
+    std::vector<double> coordinates;
+    coordinates.reserve(3 * points.size());
+    for (const Point* const p : points)
+      coordinates.insert(coordinates.end(), {p->x(), p->y(), p->z()});
+    return coordinates;
+  }
+
+  std::vector<double> m_coordinates;
+};
+
+template <class Point, class GeomTraits>
+class Lengths_of_points<Point, GeomTraits, false> : public Lengths_by_kernel<Point, GeomTraits>
+{
+public:
+  using Lengths_by_kernel<Point, GeomTraits>::Lengths_by_kernel;
+};
+
+// Returns the corners of its cells, or the ends of its edges if it has none, by numbers of vertices.
 template <class Triangulation>
+std::vector<std::uint32_t> corners_of_simplices(const Triangulation& tr,
+                                                const Numbered_vertices<Triangulation>& numbered)
+{
+  std::vector<std::uint32_t> corners;
+  const auto add = [&](auto vertex) { corners.push_back(std::uint32_t(numbered.number[vertex])); };
+  if (tr.dimension() == 3)
+    for (auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
+      for (int k = 0; k < 4; ++k)
+        add(c->vertex(k));
+  else
+    for (auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e) {
+      add(e->first->vertex(e->second));
+      add(e->first->vertex(e->third));
+    }
+  return corners;
+}
+
+template <class Triangulation, class Lengths>
 std::vector<Measured_edge>
 euclidean_minimum_spanning_tree(const Triangulation& tr,
-                                const Numbered_vertices<Triangulation>& numbered)
+                                const Numbered_vertices<Triangulation>& numbered,
+                                const Lengths& lengths)
 {
-  std::vector<Measured_edge> tree;
-  for (auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e)
-    tree.push_back(measured_edge(numbered.number[e->first->vertex(e->second)],
-                                 numbered.number[e->first->vertex(e->third)], 0));
-  keep_minimum_spanning_forest(tree, numbered.points, tr.geom_traits());
+  const std::size_t n = numbered.vertices.size(), size = tr.dimension() == 3 ? 4 : 2;
+  const std::vector<std::uint32_t> corners = corners_of_simplices(tr, numbered);
+  auto tree = edges_of_simplices(
+      corners.size() / size, size, n,
+      [&](std::size_t c, std::size_t k) { return corners[size * c + k]; }, lengths, Alone());
+  keep_minimum_spanning_forest(tree, n, lengths);
   return tree;
 }
 
@@ -80,7 +147,8 @@ Lengths are compared exactly. Among edges of the same length, those between lexi
 smaller points come first. So the tree does not depend on the order in which the points were
 inserted.
 
-<b>Complexity</b>: \f$O(m \log m)\f$ for m edges of the triangulation.
+<b>Complexity</b>: \f$O(m \log m)\f$ for m edges of the triangulation. Edges that are the longest of
+a triangle are left out before the others are sorted.
 
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`. `Gt` must be a %CGAL kernel
 with exact predicates, or derived from one, because its `Compare_distance_3` must compare the
@@ -105,8 +173,12 @@ euclidean_minimum_spanning_tree_3(const Delaunay_triangulation_3<Gt, Tds, Lp, Sl
                                   OutputIterator out)
 {
   using namespace Delaunay_from_surface_3::internal;
-  const Numbered_vertices<Delaunay_triangulation_3<Gt, Tds, Lp, Slds>> numbered(tr);
-  for (const Measured_edge& e : euclidean_minimum_spanning_tree(tr, numbered))
+  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
+  const Numbered_vertices<Triangulation> numbered(tr);
+  const Rounding_to_nearest rounding;
+  const Lengths_of_points<typename Triangulation::Point, Gt> lengths(numbered.points,
+                                                                     tr.geom_traits());
+  for (const Measured_edge& e : euclidean_minimum_spanning_tree(tr, numbered, lengths))
     *out++ = std::make_pair(numbered.vertices[e.ends[0]], numbered.vertices[e.ends[1]]);
   return out;
 }

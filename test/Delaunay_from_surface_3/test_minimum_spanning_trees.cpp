@@ -23,7 +23,9 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tracing_traits_3.h>
 #include <CGAL/contains_euclidean_minimum_spanning_tree.h>
+#include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
+#include <CGAL/euclidean_minimum_spanning_tree_3_arrays.h>
 #include <CGAL/insert_points_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -33,6 +35,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <random>
@@ -102,7 +105,7 @@ void check_tree(const Triangulation& tr, const Pairs& tree)
   std::map<Vertex, std::size_t> number, degree;
   for (const Vertex v : tr.finite_vertex_handles())
     number.emplace(v, number.size());
-  DFS::internal::Disjoint_sets<std::size_t> sets(number.size());
+  DFS::core::Disjoint_sets<std::size_t> sets(number.size());
   BOOST_TEST(tree.size() + 1 == (std::max)(number.size(), std::size_t(1)));
   for (const auto& e : tree) {
     BOOST_TEST((e.first->point() < e.second->point()));
@@ -110,6 +113,18 @@ void check_tree(const Triangulation& tr, const Pairs& tree)
     BOOST_TEST(++degree[e.first] <= 12u);
     BOOST_TEST(++degree[e.second] <= 12u);
   }
+}
+
+// Points in lexicographical order have the same tree as arrays.
+void check_arrays(const std::vector<Point>& points, const Pairs& tree)
+{
+  const auto arrays = CGAL::delaunay_3_arrays(points);
+  std::vector<std::array<std::int32_t, 2>> edges;
+  CGAL::euclidean_minimum_spanning_tree_3(arrays, points, std::back_inserter(edges));
+  BOOST_TEST_REQUIRE(edges.size() == tree.size());
+  for (std::size_t k = 0; k < tree.size(); ++k)
+    BOOST_TEST((points[std::size_t(edges[k][0])] == tree[k].first->point() &&
+                points[std::size_t(edges[k][1])] == tree[k].second->point()));
 }
 
 // A mesh that is nothing but edges.
@@ -150,6 +165,7 @@ BOOST_AUTO_TEST_CASE(trees_are_those_of_all_pairs)
       const Triangulation tr(set.points.begin(), set.points.end());
       const Pairs tree = tree_of(tr);
       check_tree(tr, tree);
+      check_arrays(distinct(set.points), tree);
       const std::vector<double> lengths = lengths_of(tree);
       if (set.name != "surface") { // its coordinates are no integers
         BOOST_TEST(std::is_sorted(lengths.begin(), lengths.end()));
@@ -180,6 +196,7 @@ BOOST_AUTO_TEST_CASE(lengths_are_compared_exactly)
     // A square, all but: the shortest sides are the two that near has shortened.
     const std::set<Point> shortest = {tree[0].first->point(), tree[0].second->point()};
     BOOST_TEST((shortest == std::set<Point>{points[1], points[3]}));
+    check_arrays(distinct(points), tree);
   }
   using Exact = CGAL::Delaunay_triangulation_3<CGAL::Exact_predicates_exact_constructions_kernel>;
   using FT = Exact::Geom_traits::FT;
@@ -205,10 +222,36 @@ BOOST_AUTO_TEST_CASE(trees_in_lower_dimensions)
   BOOST_TEST(tr.dimension() == 1);
   check_tree(tr, tree_of(tr));
   BOOST_TEST((lengths_of(tree_of(tr)) == std::vector<double>{1, 1, 9, 16}));
+  const auto check_as_arrays = [&tr] {
+    const auto points = tr.points_begin();
+    check_arrays(distinct({points, std::next(points, std::ptrdiff_t(tr.number_of_vertices()))}),
+                 tree_of(tr));
+  };
+  check_as_arrays();
   tr.insert(Point(1, 3, 0));
   BOOST_TEST(tr.dimension() == 2);
   check_tree(tr, tree_of(tr));
   BOOST_TEST((lengths_of(tree_of(tr)) == std::vector<double>{1, 1, 9, 9, 16}));
+  check_as_arrays();
+}
+
+// Points that are equal to others are in no edge.
+BOOST_AUTO_TEST_CASE(trees_of_arrays_with_equal_points)
+{
+  std::vector<Point> points = {{0, 0, 0}, {0, 0, 0}};
+  const auto tree = [&points] {
+    std::vector<std::array<std::int32_t, 2>> edges;
+    CGAL::euclidean_minimum_spanning_tree_3(CGAL::delaunay_3_arrays(points), points,
+                                            std::back_inserter(edges));
+    return edges;
+  };
+  BOOST_TEST(tree().empty());
+  points.insert(points.end(), {{5, 0, 0}, {1, 0, 0}, {5, 0, 0}, {0, 2, 0}, {0, 0, 3}});
+  BOOST_TEST((tree() == std::vector<std::array<std::int32_t, 2>>{{0, 3}, {0, 5}, {0, 6}, {2, 3}}));
+  BOOST_CHECK_THROW(CGAL::euclidean_minimum_spanning_tree_3(
+                        CGAL::delaunay_3_arrays(points), std::vector<Point>(3),
+                        boost::make_function_output_iterator([](const auto&) {})),
+                    CGAL::Surface_input_error);
 }
 
 // Where all lengths differ there is one tree, and a graph contains it if and only if it has all its
@@ -287,7 +330,7 @@ BOOST_AUTO_TEST_CASE(ties_are_ties)
   std::mt19937 random(1);
   for (int repetition = 0; repetition < 20; ++repetition) {
     std::vector<std::array<std::size_t, 2>> edges;
-    DFS::internal::Disjoint_sets<std::size_t> sets(points.size());
+    DFS::core::Disjoint_sets<std::size_t> sets(points.size());
     std::size_t pieces = points.size();
     for (std::size_t i = 0; i < points.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
@@ -348,7 +391,7 @@ BOOST_AUTO_TEST_CASE(the_minimum_spanning_forest_is_traced)
     std::vector<Mesh::Edge_index> forest;
     DFS::Minimum_spanning_forest<Point>(named.surface.points)(mesh, get(boost::vertex_index, mesh),
                                                               std::back_inserter(forest));
-    DFS::internal::Disjoint_sets<std::size_t> sets(mesh.number_of_vertices());
+    DFS::core::Disjoint_sets<std::size_t> sets(mesh.number_of_vertices());
     std::size_t pieces = mesh.number_of_vertices();
     for (const auto e : forest)
       pieces -= sets.unite(std::size_t(mesh.vertex(e, 0)), std::size_t(mesh.vertex(e, 1)));

@@ -317,9 +317,9 @@ class Delaunay3:
     def minimum_spanning_tree(self) -> Indices:
         """Return a Euclidean minimum spanning tree of the vertices: (k, 2) int32, from the shortest edge to the longest.
 
-        Lengths are compared as they are computed; among equal ones smaller indices come first.
+        Lengths are compared exactly; among equal ones smaller indices come first.
         """
-        return _core.minimum_spanning_tree(self.points, *self.vertex_neighbor_vertices)
+        return _core.minimum_spanning_tree(self.points, self.simplices, self._threads)
 
     def check(self, level: str = "delaunay") -> bool:
         """Return whether this is the Delaunay triangulation of its points, or the regular one if they have weights, as

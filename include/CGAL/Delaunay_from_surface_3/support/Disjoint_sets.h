@@ -5,8 +5,11 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_DISJOINT_SETS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_DISJOINT_SETS_H
 
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -58,6 +61,47 @@ private:
   std::vector<unsigned char> m_rank; // at most log2 n
   std::vector<Index> m_parent;
 };
+
+// The smaller number first. Edges of the same length are taken in lexicographical order.
+struct Measured_edge
+{
+  std::array<std::size_t, 2> ends;
+  std::size_t place;
+  double squared_length; // rounded
+};
+
+inline Measured_edge measured_edge(std::size_t s, std::size_t t, std::size_t place)
+{
+  return {{(std::min)(s, t), (std::max)(s, t)}, place, 0};
+}
+
+// Tells of squared lengths that were computed whether the lengths differ: if nothing underflows, they are
+// off by at most six roundings.
+inline bool is_clearly_less(double x, double y)
+{
+  return x > 1e-280 && y < 1e280 && y - x > 1e-14 * y;
+}
+
+// Keeps the edges of a minimum spanning forest of n vertices, from the shortest to the longest.
+// Cost: O(m log m).
+template <class Lengths>
+void keep_minimum_spanning_forest(std::vector<Measured_edge>& edges, std::size_t n,
+                                  const Lengths& lengths, const Executor& executor = Alone())
+{
+  Steps step(executor);
+  for (Measured_edge& e : edges)
+    e.squared_length = lengths.squared_length(e.ends[0], e.ends[1]);
+  std::sort(edges.begin(), edges.end(), [&](const Measured_edge& a, const Measured_edge& b) {
+    step();
+    return lengths.is_less(a, b);
+  });
+  Disjoint_sets<std::size_t> trees(n);
+  const auto is_superfluous = [&](const Measured_edge& e) {
+    step();
+    return !trees.unite(e.ends[0], e.ends[1]);
+  };
+  edges.erase(std::remove_if(edges.begin(), edges.end(), is_superfluous), edges.end());
+}
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace core

@@ -14,14 +14,9 @@
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/assertions.h>
-#include <CGAL/enum.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -32,77 +27,53 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Holds an edge between the points ends[0] < ends[1], and its place in a list of the caller.
-struct Measured_edge
-{
-  std::array<std::size_t, 2> ends;
-  std::size_t place;
-  double squared_length; // rounded
-};
-
-inline Measured_edge measured_edge(std::size_t s, std::size_t t, std::size_t place)
-{
-  return {{(std::min)(s, t), (std::max)(s, t)}, place, 0};
-}
-
-// Compares lengths exactly. `points[i]` points to point i.
+// The lengths of edges between points of a kernel, which compares those that are nearly equal.
+// `points[i]` points to point i.
 template <class Point, class GeomTraits>
-class Compare_lengths
+class Lengths_by_kernel
 {
 public:
-  Compare_lengths(const std::vector<const Point*>& points, const GeomTraits& gt)
+  // Keeps a reference.
+  Lengths_by_kernel(const std::vector<const Point*>& points, const GeomTraits& gt)
     : m_points(points)
     , m_compare_distance(gt.compare_distance_3_object())
   {
   }
 
-  // A squared length computed from doubles is off by at most six roundings if nothing underflows:
-  // so a larger difference decides the comparison, otherwise the kernel does.
-  Comparison_result operator()(const Measured_edge& a, const Measured_edge& b) const
+  // 0, which is never clearly less, if the coordinates are no doubles.
+  double squared_length(std::size_t i, std::size_t j) const
   {
-    const double x = a.squared_length, y = b.squared_length;
-    if (has_doubles && (std::min)(x, y) > 1e-280 && (std::max)(x, y) < 1e280 &&
-        std::abs(x - y) > 1e-14 * (std::max)(x, y))
-      return x < y ? SMALLER : LARGER;
-    return m_compare_distance(*m_points[a.ends[0]], *m_points[a.ends[1]], *m_points[b.ends[0]],
-                              *m_points[b.ends[1]]);
+    if constexpr (has_doubles) {
+      const Point &p = *m_points[i], &q = *m_points[j];
+      const double x = p.x() - q.x(), y = p.y() - q.y(), z = p.z() - q.z();
+      return x * x + y * y + z * z;
+    }
+    return 0;
   }
+  static bool is_clearly_less(double x, double y) { return core::is_clearly_less(x, y); }
 
-  double squared_length(const Measured_edge& e) const
+  bool is_less(const Measured_edge& a, const Measured_edge& b) const
   {
-    const Point &p = *m_points[e.ends[0]], &q = *m_points[e.ends[1]];
-    const double x = to_double(p.x()) - to_double(q.x()), y = to_double(p.y()) - to_double(q.y()),
-                 z = to_double(p.z()) - to_double(q.z());
-    return x * x + y * y + z * z;
+    if (is_clearly_less(a.squared_length, b.squared_length))
+      return true;
+    if (is_clearly_less(b.squared_length, a.squared_length))
+      return false;
+    const int sign = compare(a, b);
+    return sign != 0 ? sign < 0 : a.ends < b.ends;
+  }
+  int compare(const Measured_edge& a, const Measured_edge& b) const
+  {
+    return int(m_compare_distance(*m_points[a.ends[0]], *m_points[a.ends[1]], *m_points[b.ends[0]],
+                                  *m_points[b.ends[1]]));
   }
 
 private:
-  using FT = std::decay_t<decltype(std::declval<const Point&>().x())>;
-  static constexpr bool has_doubles = std::is_same<FT, double>::value;
+  static constexpr bool has_doubles =
+      std::is_same<std::decay_t<decltype(std::declval<const Point&>().x())>, double>::value;
 
   const std::vector<const Point*>& m_points;
   decltype(std::declval<const GeomTraits&>().compare_distance_3_object()) m_compare_distance;
 };
-
-// Keeps only the edges of the minimum spanning forest, sorted from the shortest on; edges of the
-// same length come in the order of the numbers of their ends. Takes O(m log m) for m edges.
-template <class Point, class GeomTraits>
-void keep_minimum_spanning_forest(std::vector<Measured_edge>& edges,
-                                  const std::vector<const Point*>& points, const GeomTraits& gt)
-{
-  const Compare_lengths<Point, GeomTraits> compare(points, gt);
-  for (Measured_edge& e : edges)
-    e.squared_length = compare.squared_length(e);
-  std::sort(edges.begin(), edges.end(), [&](const Measured_edge& a, const Measured_edge& b) {
-    const Comparison_result c = compare(a, b);
-    return c == SMALLER || (c == EQUAL && a.ends < b.ends);
-  });
-  Disjoint_sets<std::size_t> trees(points.size());
-  const auto is_superfluous = [&](const Measured_edge& e) {
-    return !trees.unite(e.ends[0], e.ends[1]);
-  };
-  edges.erase(std::remove_if(edges.begin(), edges.end(), is_superfluous), edges.end());
-}
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
@@ -163,16 +134,18 @@ public:
     for (const Point& p : *m_points)
       points.push_back(&p);
     std::vector<typename boost::graph_traits<Graph>::edge_descriptor> all;
-    std::vector<internal::Measured_edge> forest;
+    std::vector<core::Measured_edge> forest;
     for (auto [e, end] = edges(graph); e != end; ++e) {
-      forest.push_back(internal::measured_edge(std::size_t(get(index_map, source(*e, graph))),
-                                               std::size_t(get(index_map, target(*e, graph))),
-                                               all.size()));
+      forest.push_back(core::measured_edge(std::size_t(get(index_map, source(*e, graph))),
+                                           std::size_t(get(index_map, target(*e, graph))),
+                                           all.size()));
       CGAL_precondition(forest.back().ends[1] < points.size());
       all.push_back(*e);
     }
-    internal::keep_minimum_spanning_forest(forest, points, typename Kernel_traits<Point>::Kernel());
-    for (const internal::Measured_edge& e : forest)
+    using Kernel = typename Kernel_traits<Point>::Kernel;
+    core::keep_minimum_spanning_forest(
+        forest, points.size(), internal::Lengths_by_kernel<Point, Kernel>(points, Kernel()));
+    for (const core::Measured_edge& e : forest)
       *out++ = all[e.place];
     return out;
   }
