@@ -14,8 +14,8 @@
 #include <Delaunay_from_surface_3_files/read_polygon_soup.h>
 #include <Delaunay_from_surface_3_surfaces/io.h>
 
+#include <Delaunay_from_surface_3_meters/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>

@@ -19,8 +19,8 @@
 #include <Delaunay_from_surface_3_surfaces/restricted_delaunay.h>
 #include <Delaunay_from_surface_3_surfaces/refine.h>
 
+#include <Delaunay_from_surface_3_meters/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

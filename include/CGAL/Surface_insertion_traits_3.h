@@ -68,8 +68,7 @@ is the default, which was the fastest in measurements. The points come in rounds
 points, and the location of each starts at a nearby point of an earlier round. The points are
 inserted into a compact triangulation, which is copied into the user's at the end. If that is not
 possible, CGAL's own insertion takes over. The surface is not looked at: rounds made of its edges
-(`Delaunay_from_surface_3::Surface_net_rounds`) destroy as many cells (`nets_200k.json`),
-and take as long (`nets_256k.json`).
+destroy as many cells (`nets_200k.json`), and take as long (`nets_256k.json`).
 
 <b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 

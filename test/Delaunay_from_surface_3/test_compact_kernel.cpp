@@ -15,6 +15,7 @@
 #include "parallel_case.h"
 #include "points_and_graphs.h"
 
+#include <Delaunay_from_surface_3_meters/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/Visitor_observer.h>
@@ -23,7 +24,6 @@
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
 #include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>

@@ -10,7 +10,7 @@
 
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
+#include <Delaunay_from_surface_3_meters/Surface_net_rounds.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>

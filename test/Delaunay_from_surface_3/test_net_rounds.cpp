@@ -14,11 +14,11 @@
 
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 
+#include <Delaunay_from_surface_3_meters/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
 #include <CGAL/Delaunay_from_surface_3/core/build_impl.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>

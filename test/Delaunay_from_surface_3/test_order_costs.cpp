@@ -17,8 +17,8 @@
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 
+#include <Delaunay_from_surface_3_meters/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/core/build_impl.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>

@@ -8,7 +8,7 @@
 #define BOOST_TEST_MODULE test_threads
 #include <boost/test/included/unit_test.hpp>
 
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
+#include <Delaunay_from_surface_3_meters/Surface_net_rounds.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Tracing_traits_3.h>

@@ -12,8 +12,8 @@
 #include "recording_kernel.h"
 
 #include <Delaunay_from_surface_3_meters/meters.h>
+#include <Delaunay_from_surface_3_meters/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -13,7 +13,6 @@ The result is the same for any order. A model knows nothing about cells.
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Geometric_rounds}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Spaced_rounds}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Spatial_sort_order}
-\cgalHasModels{CGAL::Delaunay_from_surface_3::Surface_net_rounds}
 \cgalHasModelsEnd
 
 \sa `CGAL::Delaunay_from_surface_3::Insertion_order`

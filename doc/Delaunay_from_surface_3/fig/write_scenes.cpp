@@ -9,8 +9,8 @@
 //
 //   write_scenes MESH.off FOLDER
 
+#include <Delaunay_from_surface_3_meters/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Delaunay_triangulation_3.h>

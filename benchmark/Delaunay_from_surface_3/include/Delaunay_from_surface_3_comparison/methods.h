@@ -15,7 +15,7 @@
 
 #include <Hilbert_neighbor_hints.h> // from the examples
 
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
+#include <Delaunay_from_surface_3_meters/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>

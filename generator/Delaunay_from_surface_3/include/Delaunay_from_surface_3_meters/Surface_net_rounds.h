@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_SURFACE_NET_ROUNDS_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_SURFACE_NET_ROUNDS_H
+#ifndef DELAUNAY_FROM_SURFACE_3_METERS_SURFACE_NET_ROUNDS_H
+#define DELAUNAY_FROM_SURFACE_3_METERS_SURFACE_NET_ROUNDS_H
 
+// A plan that the benchmark and the tests compare with the package's own.
 // Goes beyond the paper: takes rounds, order and starting points from the surface. Good spacing
 // replaces randomness; the nets are random so that the numbering of the mesh has no influence.
 // Rounds of well-spaced points (Spaced_rounds) do as well without a surface.
@@ -570,4 +571,4 @@ private:
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_SURFACE_NET_ROUNDS_H
+#endif // DELAUNAY_FROM_SURFACE_3_METERS_SURFACE_NET_ROUNDS_H
