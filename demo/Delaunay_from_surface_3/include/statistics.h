@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,9 +62,11 @@ struct Counting_visitor : CGAL::Default_surface_insertion_visitor_3
 
 inline void report_counts(const Insertion_counts& counts, std::size_t points, Report& report)
 {
-  static const char* const stages[] = {"integers of 30 bits",  "integers of 60 bits",
-                                       "balanced doubles",     "double-double",
-                                       "integers of 120 bits", "integers of any width"};
+  static const char* const stages[] = {
+      "doubles on a lattice", "integers of 30 bits",  "integers of 60 bits",  "balanced doubles",
+      "double-double",        "integers of 120 bits", "integers of any width"};
+  static_assert(std::size(stages) == CGAL::Delaunay_from_surface_3::NUMBER_OF_EXACT_STAGES,
+                "each stage has a name");
   const double n = double(points);
   report.title("What the insertions into the compact triangulation did, per point");
   report("cells until a conflict", double(counts.cells_tested_to_start) / n, 3);
