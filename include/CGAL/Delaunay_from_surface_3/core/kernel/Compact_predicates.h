@@ -143,36 +143,17 @@ public:
     return 0;
   }
 
-  // A facet of a finite cell that p clearly lies beyond: one opposite to a vertex far from p. A walk that
+  // A facet of the finite cell that p lies beyond: one opposite to a vertex far from p. A walk that
   // drops far vertices first turns around a near one, and stays where cells are small; where p is
-  // far from all, it goes where p is farthest beyond. (The fourth power was measured.) 4 if there is
-  // none.
-  unsigned farthest_facet(const Cell_view& view) const
+  // far from all, it goes where p is farthest beyond. (The fourth power was measured.) 4 if the cell
+  // contains p, which is then hidden, as it is not in conflict.
+  unsigned facet_towards(const Cell& cell, const Cell_view& view, Id p) const
   {
     unsigned farthest = 0;
     for (unsigned k = 1; k < 4; ++k)
       if (view.pushes[k] < view.pushes[farthest])
         farthest = k;
-    return view.facets[farthest] < -view.facet_bound ? farthest : 4;
-  }
-
-  // Any facet that p lies beyond; 4 if the cell contains p, which is then hidden, as it is not in
-  // conflict. (Tiny coordinates make the pushes underflow first; a flat cell makes the bound too large.)
-  unsigned close_facet(const Cell& cell, const Cell_view& view, Id p) const
-  {
-    const double bound =
-        is_rounded<Place>
-            ? view.facet_bound
-            : (std::min)(view.facet_bound, column_sizes(cell, place(p)).bound_of_three());
-    for (unsigned k = 0; k < 4; ++k)
-      if (view.facets[k] < -bound)
-        return k;
-    for (unsigned k = 0; k < 4; ++k)
-      if (view.facets[k] <= bound && is_beyond_facet(cell, k, p))
-        return k;
-    if constexpr (!Vertex::has_weight)
-      fail("a cell that contains a point must be in conflict with it");
-    return 4;
+    return view.facets[farthest] < -view.facet_bound ? farthest : close_facet(cell, view, p);
   }
 
   // Returns for an infinite cell 1 if p is beyond its finite facet, -1 if before, 0 if undecided.
@@ -264,6 +245,24 @@ private:
                         place(cell.v[3])};
     const int sign = flat_sphere_sign(v, place(p));
     return sign != 0 ? sign > 0 : is_in_sphere_exactly(cell, p);
+  }
+
+  // Tiny coordinates make the pushes underflow first; a flat cell makes the bound too large.
+  unsigned close_facet(const Cell& cell, const Cell_view& view, Id p) const
+  {
+    const double bound =
+        is_rounded<Place>
+            ? view.facet_bound
+            : (std::min)(view.facet_bound, column_sizes(cell, place(p)).bound_of_three());
+    for (unsigned k = 0; k < 4; ++k)
+      if (view.facets[k] < -bound)
+        return k;
+    for (unsigned k = 0; k < 4; ++k)
+      if (view.facets[k] <= bound && is_beyond_facet(cell, k, p))
+        return k;
+    if constexpr (!Vertex::has_weight)
+      fail("a cell that contains a point must be in conflict with it");
+    return 4;
   }
 
   Column_sizes column_sizes(const Cell& cell, Place q) const

@@ -71,18 +71,15 @@ struct Walk_to_conflict
       const Cell_view view = Filter::view(v, point);
       if (view.sphere > 0)
         return {c, 0};
-      unsigned facet = predicates.farthest_facet(view);
-      if (facet == 4) { // else a sphere that is left open need not be decided
-        if (view.sphere == 0) {
-          if (const Id w = predicates.vertex_at(cell, p))
-            return {c, w};
-          if (predicates.is_in_close_sphere(cell, p))
-            return {c, 0};
-        }
-        facet = predicates.close_facet(cell, view, p);
-        if (Vertex::has_weight && facet == 4)
-          return {c, p};
+      if (view.sphere == 0) {
+        if (const Id w = predicates.vertex_at(cell, p))
+          return {c, w};
+        if (predicates.is_in_close_sphere(cell, p))
+          return {c, 0};
       }
+      const unsigned facet = predicates.facet_towards(cell, view, p);
+      if (Vertex::has_weight && facet == 4)
+        return {c, p};
       c = cell.neighbors[facet] >> 2;
     }
   }
