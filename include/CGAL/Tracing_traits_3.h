@@ -26,7 +26,7 @@ The sets of points inserted by the ends of the rounds stay random, and with them
 of the sizes of the triangulations traced. Its bounds on location and on the cells created need a
 random order inside the rounds, too; with
 `Tracing_traits_3(Delaunay_from_surface_3::Log_star_rounds::FIRST_ROUND)` the order is random from
-the second round on, and the insertion takes several times as long.
+the second round on, and the insertion takes longer.
 \ref delaunay_from_surface_3_the_paper "The page on the paper" counts the work of both.
 
 T is that of `Bounded_degree_subgraph`, for meshes and soups. For a surface that this refuses, and

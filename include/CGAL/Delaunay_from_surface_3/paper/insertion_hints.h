@@ -314,8 +314,7 @@ starts every insertion where the last trace found the point (\cgalCite{choi-dtsm
 2a and 2b), with a walk in place of the paper's location structure Q. A trace follows T from
 inserted vertices outwards (`Trace_subgraph`). It locates and records the points of the next round:
 records of later ones, which the paper determines as well, would be replaced before they are used. In
-a component without an inserted vertex, the first point is located from its last record, or, if it
-has none, from the vertex inserted last.
+a component without an inserted vertex, the first point is located from the vertex inserted last.
 
 After a trace the record of a point of the next round is a finite vertex of the cell that contains
 it. While points are only inserted, a vertex is never destroyed, but the cell can be.

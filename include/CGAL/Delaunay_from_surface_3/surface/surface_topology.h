@@ -38,8 +38,8 @@ struct Surface_component_topology
 
   /// a k ≥ 3 such that the graph is k-connected: fewer than k vertices never separate it. With
   /// boundary this is meant after closing each loop by a vertex that is joined to all of its
-  /// vertices. `surface_topology()` finds 4 if the component is closed and all its cycles of three
-  /// edges are triangles, 5 if, besides, those of four edges surround two triangles each, otherwise
+  /// vertices. `surface_topology()` finds 4 if the component is closed, of five vertices or more, and
+  /// all its cycles of three edges are triangles, 5 if, besides, those of four edges surround two triangles each, otherwise
   /// 3. If you know more, set it: `near_minimum_tree_degree_bound()` uses it.
   std::size_t connectivity = 3;
 
