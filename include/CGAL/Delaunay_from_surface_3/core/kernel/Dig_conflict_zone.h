@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -227,21 +228,9 @@ struct Explore_neighbors : Explore_alone
   }
 };
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace core
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
-
 // The following does the same as Explore_neighbors, in vectors.
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-
-#include <type_traits>
-
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
-namespace core {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Also has the neighbours themselves, and their first vertices.
 struct Wide_neighborhood : Neighborhood
@@ -365,17 +354,7 @@ inline constexpr Wide_explore_neighbors::Of_mask Wide_explore_neighbors::of_mask
     of_mask(6),  of_mask(7),  of_mask(8),  of_mask(9), of_mask(10), of_mask(11),
     of_mask(12), of_mask(13), of_mask(14), of_mask(15)};
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace core
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
-
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
-namespace core {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Explore says how cells are read and their neighbours tested: in scalar code or in vectors, alone
 // or beside others that write (Explore_announced.h).

@@ -27,7 +27,11 @@
 #if defined(__SIZEOF_INT128__)
 #define CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstring>
+#include <type_traits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -133,13 +137,6 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int sign_of(const Fixed_integer<Halve
   return highest < 0 ? -1 : int((highest | lower) != 0);
 }
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace core
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
-
-#endif // __SIZEOF_INT128__
-
 // The differences v - p are exact as sums of two doubles. The power of 2 that brings the largest of
 // them just under 2^60 makes all of them integers, unless the least bit of one is more than 60 bits
 // below the largest; then the same is tried with 120 bits. Numbers of single precision and lattices
@@ -149,19 +146,6 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int sign_of(const Fixed_integer<Halve
 //
 // Differences of weights are as large as squares. They must be integers times the square of that
 // power of 2, and fit in the columns of a square that is not carried.
-
-#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER)
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <type_traits>
-
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
-namespace core {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The differences of N vertices and p, times a power of 2, in digits of 60 bits.
 template <int N, class Place = const double*>
@@ -364,6 +348,6 @@ private:
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
+#endif // __SIZEOF_INT128__
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_FIXED_INTEGER_H

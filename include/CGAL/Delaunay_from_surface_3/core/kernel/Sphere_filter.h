@@ -551,11 +551,6 @@ struct Sphere_filter
   }
 };
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace core
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
-
 // The following does the same in vectors of four doubles, with one lane per facet of the cell. The
 // other three vertices of lane i are i^1, i^2 and i^3, an even permutation that takes three cheap
 // shuffles.
@@ -564,11 +559,6 @@ struct Sphere_filter
 // them. The caller asks first whether the machine has them.
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
-namespace core {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Holds a coordinate of the four rows, and its three permutations.
 struct Wide_column
@@ -694,11 +684,11 @@ CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS int wide_sphere_sign_by_columns(const Pl
       sizes.bound_of_four(largest_of(rows.size), Bound_factors<Row_of<Place>>::columns));
 }
 
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
-
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_SPHERE_FILTER_H

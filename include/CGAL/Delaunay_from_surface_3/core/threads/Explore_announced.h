@@ -24,6 +24,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -227,24 +228,12 @@ protected:
   Cell m_neighbor;
 };
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace core
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
-
 // The following does the same as Explore_announced, in vectors. Only here are words that others
 // write read four at a time. A processor with such vectors loads each word of them whole, in the
 // order described above, since x86 does not reorder loads. The compiler could; therefore marks,
 // first vertices, and the neighbours compared in the end are loaded as `volatile`.
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-
-#include <cstdint>
-
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
-namespace core {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Vertex, class Protocol = Handshake>
 class Wide_explore_announced : public Explore_announced<Vertex, Protocol>
@@ -353,17 +342,7 @@ private:
   };
 };
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace core
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
-
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
-namespace core {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Writes stars while others read. The first store to a cell makes it busy, and the last one gives
 // its new version; the cell beyond a facet gets the new one as its neighbour only when that can be
