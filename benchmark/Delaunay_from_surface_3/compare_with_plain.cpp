@@ -348,8 +348,8 @@ int main(int argc, char** argv)
       "numbers of points; default: 16384 65536 262144 1048576. A surface skips those it is "
       "too detailed for. 0 takes those of --mesh as they are.");
   program.option("methods", o.methods, "NAME...",
-                 "default: all; plain always runs. random-last and random-insert take minutes from "
-                 "262144 points on.");
+                 "default: all; plain always runs. random-last and random-insert are slow "
+                 "for many points.");
   program.option("peer", o.peers, "NAME=COMMAND",
                  "one more method, by a program of its own; may be repeated");
   program.option("repetitions,r", o.repetitions, "N", "how often every time is measured");

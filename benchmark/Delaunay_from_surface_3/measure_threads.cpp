@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Measures what threads gain: whole calls into an ordinary triangulation, by one thread and by
-// more, beside plain CGAL and its Parallel_tag, in turn; and, by simulation, how often up to 64
+// Measures what threads gain: whole calls into an ordinary triangulation and into arrays, by one
+// thread and by more, beside plain CGAL and its Parallel_tag, in turn; and, by simulation, how often up to 64
 // workers would get into each other's way. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/measure.h>
@@ -22,6 +22,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
 
 #include <tbb/global_control.h>
@@ -175,7 +176,10 @@ private:
     m_plain.add([&] { expected.insert(m_surface.points.begin(), m_surface.points.end()); });
     m_tetrahedra = expected.number_of_finite_cells();
     for (const std::size_t threads : m_options.threads)
-      with_threads(threads, [&] { insert_ours(threads, is_compared ? &expected : nullptr); });
+      with_threads(threads, [&] {
+        insert_ours(threads, is_compared ? &expected : nullptr);
+        make_arrays(threads);
+      });
     with_threads(m_options.threads.back(), [&] { insert_in_parallel(); });
     for (auto& peer : m_peers)
       peer.run(*m_launcher, m_points->name());
@@ -191,6 +195,18 @@ private:
     m_watches[threads] = watch;
     if (expected && tr != *expected)
       throw std::runtime_error("not equal to plain CGAL");
+  }
+
+  void make_arrays(std::size_t threads)
+  {
+    CGAL::Delaunay_3_arrays<> arrays;
+    m_arrays[threads].add([&] {
+      arrays = threads == 1
+                   ? CGAL::delaunay_3_arrays<std::int32_t, CGAL::Sequential_tag>(m_surface.points)
+                   : CGAL::delaunay_3_arrays<std::int32_t, CGAL::Parallel_tag>(m_surface.points);
+    });
+    if (arrays.number_of_simplices() != m_tetrahedra)
+      throw std::runtime_error("the arrays have another number of tetrahedra than plain CGAL");
   }
 
   void insert_in_parallel()
@@ -209,6 +225,7 @@ private:
       of_threads["median_until_export"] = rounded(comparison::median(m_until_export.at(threads)));
       of_threads["phases"] = phases(m_watches.at(threads));
       result["threads_" + std::to_string(threads)] = of_threads;
+      result["arrays_" + std::to_string(threads)] = m_arrays.at(threads).json();
     }
     return result;
   }
@@ -217,7 +234,7 @@ private:
   const Options& m_options;
   comparison::Launcher* m_launcher; // needed for peers
   Times m_plain, m_plain_parallel;
-  std::map<std::size_t, Times> m_ours;
+  std::map<std::size_t, Times> m_ours, m_arrays;
   std::map<std::size_t, Watch> m_watches; // of the last turn
   std::map<std::size_t, std::vector<double>> m_until_export;
   std::vector<comparison::Peer_record> m_peers;
