@@ -79,7 +79,8 @@ private:
 };
 
 // Returns views of the arrays, which live as long as the owner.
-py::tuple views_of(const Arrays* arrays, const py::capsule& owner, bool with_neighbors)
+template <class A>
+py::tuple views_of(const A* arrays, const py::capsule& owner, bool with_neighbors)
 {
   const auto corners = py::ssize_t((std::max)(arrays->dimension(), 0) + 1);
   const auto view = [&](const std::int32_t* data) {

@@ -170,6 +170,8 @@ Numbers minimum_spanning_tree(const Points& points, const Numbers& simplices, st
     const core::Lengths_between lengths(core::Point_array(coordinates.data(), n));
     const std::vector<Index> vertices = checked_copy(rows, n);
     const std::size_t corners = rows.corners();
+    if (corners > 4)
+      throw CGAL::Surface_input_error("expected simplices of at most four corners");
     std::vector<core::Measured_edge> edges;
     if (corners > 1)
       edges = core::edges_of_simplices(

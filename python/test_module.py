@@ -591,6 +591,11 @@ class AsScipy(unittest.TestCase):
                 number, _ = scipy.sparse.csgraph.connected_components(graph, directed=False)
                 self.assertEqual(number, 1 + len(points) - len(distinct))
 
+    def test_minimum_spanning_tree_of_no_simplices(self):
+        wrong = dfs.Delaunay3(self.points[:5], np.arange(5, dtype=np.int32)[None], None, np.arange(5, dtype=np.int32), 3)
+        with self.assertRaisesRegex(ValueError, "at most four corners"):
+            wrong.minimum_spanning_tree()
+
     def test_minimum_spanning_tree_at_all_scales(self):
         """Also where squares of lengths are no doubles: the tree is that of the usual scale."""
         points = np.round(random_points(100) * 2 ** 20) / 2 ** 20

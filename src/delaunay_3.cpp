@@ -47,9 +47,10 @@ struct delaunay_3
 {
   core::Point_array points;
   const double* weights; // null without
-  Periodic_arrays arrays;
+  Arrays arrays;         // unless it is periodic
   bool is_periodic = false;
   Box box = {};
+  Periodic_arrays in_box = {};
 };
 
 namespace {
@@ -163,11 +164,6 @@ Arrays built_of(Source&& source, const core::Executor& executor)
   return core::arrays_of_built<std::int32_t>(*built, source, executor);
 }
 
-Periodic_arrays without_box(Arrays&& arrays)
-{
-  return Periodic_arrays(std::move(arrays), {}, 0, true);
-}
-
 Periodic_arrays built_in_box(const core::Point_array& points, const double* weights, const Box& box,
                              const core::Executor& executor)
 {
@@ -181,15 +177,25 @@ Periodic_arrays built_in_box(const core::Point_array& points, const double* weig
   }
 }
 
-core::Simplices_view<std::int32_t> view_of(const delaunay_3& d)
+template <class A>
+delaunay_3_cells cells_of(const A& arrays)
 {
-  return {d.arrays.vertices_data(),
-          d.arrays.stride(),
-          d.arrays.neighbors_data(),
-          d.arrays.stride(),
-          d.arrays.number_of_simplices(),
-          d.arrays.number_of_cells(),
-          d.points.size()};
+  return {arrays.dimension(),        arrays.number_of_simplices(),
+          arrays.number_of_cells(),  arrays.stride(),
+          arrays.vertices_data(),    arrays.neighbors_data(),
+          arrays.number_of_points(), arrays.vertices_of_points().data()};
+}
+
+delaunay_3_cells cells_of(const delaunay_3& d)
+{
+  return d.is_periodic ? cells_of(d.in_box) : cells_of(d.arrays);
+}
+
+core::Simplices_view<std::int32_t> view_of(const delaunay_3_cells& cells)
+{
+  return {cells.vertices,        cells.stride, cells.neighbors,
+          cells.stride,          cells.number, cells.number_with_infinite,
+          cells.number_of_points};
 }
 
 } // namespace
@@ -206,8 +212,7 @@ delaunay_3_status delaunay_3_build(const double* points, size_t n, const int32_t
     const core::Point_array checked = checked_points(points, n);
     check_triangles(triangles, number_of_triangles, n);
     *result = std::make_unique<delaunay_3>(
-                  delaunay_3{checked, nullptr,
-                             without_box(built_of(core::Given_points(checked), executor))})
+                  delaunay_3{checked, nullptr, built_of(core::Given_points(checked), executor)})
                   .release();
   });
 }
@@ -222,11 +227,10 @@ delaunay_3_status delaunay_3_build_weighted(const double* points, const double* 
     const core::Thread_executor executor(checked_threads(threads));
     const core::Point_array checked = checked_points(points, n);
     check_weights(weights, n);
-    *result =
-        std::make_unique<delaunay_3>(
-            delaunay_3{checked, weights,
-                       without_box(built_of(Given_weighted_points(checked, weights), executor))})
-            .release();
+    *result = std::make_unique<delaunay_3>(
+                  delaunay_3{checked, weights,
+                             built_of(Given_weighted_points(checked, weights), executor)})
+                  .release();
   });
 }
 
@@ -244,16 +248,16 @@ delaunay_3_status delaunay_3_build_periodic(const double* points, const double* 
     if (weights != nullptr)
       check_weights(weights, n);
     const Box periods = {box[0], box[1], box[2]};
-    *result = std::make_unique<delaunay_3>(
-                  delaunay_3{checked, weights, built_in_box(checked, weights, periods, executor),
-                             true, periods})
-                  .release();
+    *result =
+        std::make_unique<delaunay_3>(delaunay_3{checked, weights, Arrays(), true, periods,
+                                                built_in_box(checked, weights, periods, executor)})
+            .release();
   });
 }
 
 const int16_t* delaunay_3_offsets(const delaunay_3* d)
 {
-  return d == nullptr ? nullptr : d->arrays.offsets_data();
+  return d == nullptr ? nullptr : d->in_box.offsets_data();
 }
 
 const char* delaunay_3_message(delaunay_3_status status)
@@ -290,11 +294,7 @@ void delaunay_3_get(const delaunay_3* d, delaunay_3_cells* cells)
   *cells = {-1, 0, 0, 0, nullptr, nullptr, 0, nullptr};
   if (d == nullptr)
     return;
-  const Arrays& arrays = d->arrays;
-  *cells = {arrays.dimension(),        arrays.number_of_simplices(),
-            arrays.number_of_cells(),  arrays.stride(),
-            arrays.vertices_data(),    arrays.neighbors_data(),
-            arrays.number_of_points(), arrays.vertices_of_points().data()};
+  *cells = cells_of(*d);
 }
 
 void delaunay_3_free(delaunay_3* d)
@@ -310,8 +310,8 @@ delaunay_3_status delaunay_3_find(const delaunay_3* d, const double* points, siz
     refuse_null(d);
     refuse_null(found, n);
     const core::Point_array queries = checked_points(points, n);
-    const Periodic_arrays& arrays = d->arrays;
-    if (arrays.dimension() < 3) {
+    const delaunay_3_cells cells = cells_of(*d);
+    if (cells.dimension < 3) {
       std::fill_n(found, n, -1);
       return;
     }
@@ -321,12 +321,12 @@ delaunay_3_status delaunay_3_find(const delaunay_3* d, const double* points, siz
     };
     if (d->is_periodic) {
       const core::Points_in_box wrapped(d->points.size(), point_of, d->box.data());
-      const core::Simplices_in_box<std::int32_t> in_box = {view_of(*d), arrays.offsets_data(),
+      const core::Simplices_in_box<std::int32_t> in_box = {view_of(cells), d->in_box.offsets_data(),
                                                            wrapped};
       core::find_in_box(in_box, queries, 0, executor,
                         [&](std::size_t i, const auto& copy) { found[i] = copy.simplex; });
     } else {
-      core::find_simplices(view_of(*d), point_of, queries, found, executor);
+      core::find_simplices(view_of(cells), point_of, queries, found, executor);
     }
   });
 }

@@ -40,6 +40,7 @@ struct Numbered_vertices
   using Point = typename Triangulation::Point;
 
   explicit Numbered_vertices(const Triangulation& tr)
+    : number(0, tr.number_of_vertices() + 1)
   {
     const auto compare = tr.geom_traits().compare_xyz_3_object();
     for (const Vertex v : tr.finite_vertex_handles())
@@ -57,23 +58,20 @@ struct Numbered_vertices
   Unique_hash_map<Vertex, std::size_t> number;
 };
 
-// The lengths of edges between points, by Lengths_between if the coordinates are doubles.
-// `points[i]` points to point i.
-template <class Point, class GeomTraits,
-          bool has_doubles =
-              std::is_same<std::decay_t<decltype(std::declval<const Point&>().x())>, double>::value>
-class Lengths_of_points : public Lengths_between
+// Those of a copy of points whose coordinates are doubles.
+template <class Point, class GeomTraits>
+class Lengths_by_doubles : public Lengths_between
 {
 public:
-  Lengths_of_points(const std::vector<const Point*>& points, const GeomTraits&)
-    : Lengths_of_points(coordinates_of(points))
+  Lengths_by_doubles(const std::vector<const Point*>& points, const GeomTraits&)
+    : Lengths_by_doubles(coordinates_of(points))
   {
   }
-  Lengths_of_points(const Lengths_of_points&) = delete;
-  Lengths_of_points& operator=(const Lengths_of_points&) = delete;
+  Lengths_by_doubles(const Lengths_by_doubles&) = delete;
+  Lengths_by_doubles& operator=(const Lengths_by_doubles&) = delete;
 
 private:
-  explicit Lengths_of_points(std::vector<double>&& coordinates)
+  explicit Lengths_by_doubles(std::vector<double>&& coordinates)
     : Lengths_between(Point_array(coordinates.data(), coordinates.size() / 3))
     , m_coordinates(std::move(coordinates))
   {
@@ -90,12 +88,11 @@ private:
   std::vector<double> m_coordinates;
 };
 
+// The lengths of edges between points; `points[i]` points to point i.
 template <class Point, class GeomTraits>
-class Lengths_of_points<Point, GeomTraits, false> : public Lengths_by_kernel<Point, GeomTraits>
-{
-public:
-  using Lengths_by_kernel<Point, GeomTraits>::Lengths_by_kernel;
-};
+using Lengths_of_points =
+    std::conditional_t<Lengths_by_kernel<Point, GeomTraits>::has_doubles,
+                       Lengths_by_doubles<Point, GeomTraits>, Lengths_by_kernel<Point, GeomTraits>>;
 
 // Returns the corners of its cells, or the ends of its edges if it has none, by numbers of vertices.
 template <class Triangulation>
@@ -104,6 +101,7 @@ std::vector<std::uint32_t> corners_of_simplices(const Triangulation& tr,
 {
   std::vector<std::uint32_t> corners;
   const auto add = [&](auto vertex) { corners.push_back(std::uint32_t(numbered.number[vertex])); };
+  corners.reserve(tr.dimension() == 3 ? 4 * std::size_t(tr.number_of_cells()) : 0);
   if (tr.dimension() == 3)
     for (auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
       for (int k = 0; k < 4; ++k)
@@ -151,8 +149,8 @@ inserted.
 a triangle are left out before the others are sorted.
 
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`. `Gt` must be a %CGAL kernel
-with exact predicates, or derived from one, because its `Compare_distance_3` must compare the
-distances of two pairs of points.
+with exact predicates, or derived from one. Unless coordinates are of type `double`, its
+`Compare_distance_3` compares the distances of two pairs of points.
 \tparam OutputIterator a model of `OutputIterator` that accepts
 `std::pair<Vertex_handle, Vertex_handle>`
 
@@ -175,10 +173,13 @@ euclidean_minimum_spanning_tree_3(const Delaunay_triangulation_3<Gt, Tds, Lp, Sl
   using namespace Delaunay_from_surface_3::internal;
   using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
   const Numbered_vertices<Triangulation> numbered(tr);
-  const Rounding_to_nearest rounding;
-  const Lengths_of_points<typename Triangulation::Point, Gt> lengths(numbered.points,
-                                                                     tr.geom_traits());
-  for (const Measured_edge& e : euclidean_minimum_spanning_tree(tr, numbered, lengths))
+  const auto tree = [&] {
+    const Rounding_to_nearest rounding;
+    const Lengths_of_points<typename Triangulation::Point, Gt> lengths(numbered.points,
+                                                                       tr.geom_traits());
+    return euclidean_minimum_spanning_tree(tr, numbered, lengths);
+  }();
+  for (const Measured_edge& e : tree)
     *out++ = std::make_pair(numbered.vertices[e.ends[0]], numbered.vertices[e.ends[1]]);
   return out;
 }

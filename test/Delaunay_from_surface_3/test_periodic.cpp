@@ -452,6 +452,57 @@ BOOST_AUTO_TEST_CASE(few_copies)
   BOOST_TEST(are_neighbors_right(arrays));
 }
 
+// A layer that is too thin, here none, is refused: of the tetrahedra of the points alone exactly those
+// are certain that are periodic, too.
+BOOST_AUTO_TEST_CASE(certificate_of_a_layer)
+{
+  namespace core = DFS::core;
+  const Points points = random_points(500);
+  const double periods[3] = {1, 1, 1};
+  const core::Box_of_points<false> box(core::Point_array(points[0].data(), points.size()), nullptr,
+                                       periods);
+  Points positions;
+  auto copies = box.copies();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    positions.push_back(box.position(i, {0, 0, 0}));
+    copies.copies.push_back(box.copy(i, {0, 0, 0}));
+  }
+  core::Leaves_of_box<core::Box_of_points<false>> leaves(
+      box, core::Point_array(positions[0].data(), positions.size()), core::Alone());
+  leaves.find_safe_depths();
+
+  const auto sorted = [](std::array<std::int32_t, 4> v) {
+    std::sort(v.begin(), v.end());
+    return v;
+  };
+  std::set<std::array<std::int32_t, 4>> at_home;
+  const Arrays periodic = periodic_delaunay_3_arrays(points, Box{1, 1, 1});
+  for (std::size_t c = 0; c < periodic.number_of_simplices(); ++c)
+    if (periodic.offsets(c) == std::array<Arrays::Offset, 4>{})
+      at_home.insert(sorted(periodic.vertices(c)));
+
+  const auto alone = CGAL::delaunay_3_arrays(points);
+  std::size_t certain = 0;
+  for (std::size_t c = 0; c < alone.number_of_simplices(); ++c) {
+    const auto v = alone.vertices(c);
+    const auto place = [&](std::size_t k) {
+      return core::Rounded_place<false>(positions[std::size_t(v[k])].data());
+    };
+    const auto exact = [&](std::size_t k) { return copies.place(std::size_t(v[k])); };
+    const core::Rounded_place<false> places[4] = {place(0), place(1), place(2), place(3)};
+    const core::Copy_place<false> exact_places[4] = {exact(0), exact(1), exact(2), exact(3)};
+    const core::Empty_ball ball(places, exact_places, box.rounding());
+    BOOST_REQUIRE(ball.is_known());
+    core::Leaves_of_box<core::Box_of_points<false>>::Copy copy = {};
+    const bool is_certain = !leaves.find_deepest(ball, places[0].coordinates, copy);
+    BOOST_TEST(is_certain == (at_home.count(sorted(v)) != 0));
+    BOOST_TEST((is_certain || !leaves.is_safe(ball)));
+    certain += is_certain;
+  }
+  BOOST_TEST(certain > 0u);
+  BOOST_TEST(certain < alone.number_of_simplices());
+}
+
 // Balls that are much larger than the box is thick touch thousands of copies of its bounds.
 BOOST_AUTO_TEST_CASE(few_copies_in_thin_boxes)
 {

@@ -441,6 +441,22 @@ BOOST_AUTO_TEST_CASE(equal_weights_give_delaunay)
   }
 }
 
+// Weights so much larger than coordinates that determinants of these, scaled, would underflow.
+BOOST_AUTO_TEST_CASE(huge_equal_weights)
+{
+  const Balls balls = lattice({5, 5, 5}, 0);
+  const Cells expected = tests::arrays::cells_of(CGAL::delaunay_3_arrays(points_of(balls)));
+  for (const int exponent : {0, 300, 600, 900, 1020})
+    for (const int unit : {0, -100, -200, -300}) {
+      Balls scaled = with_weights(balls, std::ldexp(1., exponent));
+      for (auto& b : scaled)
+        for (int k = 0; k < 3; ++k)
+          b[k] = std::ldexp(b[k], unit);
+      BOOST_TEST((tests::arrays::cells_of(arrays_of(scaled)) == expected),
+                 exponent << ", " << unit);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(kept_order)
 {
   DFS::Insertion_order order, of_weighted_points;

@@ -8,6 +8,7 @@
 #define BOOST_TEST_MODULE test_traces
 #include <boost/test/included/unit_test.hpp>
 
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
@@ -160,4 +161,24 @@ BOOST_AUTO_TEST_CASE(each_point_is_located_from_a_neighbor)
     }
     BOOST_TEST(started.size() == (pieces == 1 ? 0u : 1u));
   }
+}
+
+// Without edges each point is a component: it is located from where the one before it was found.
+BOOST_AUTO_TEST_CASE(components_without_vertices_start_at_the_point_before)
+{
+  const std::size_t inserted = 50, end = 200;
+  const Case c = random_case(300, 300, 1);
+  Triangulation tr;
+  Noting_target target(tr, c.points);
+  DFS::Insertion_order plan;
+  plan.round_ends = {inserted, end, c.points.size()};
+  DFS::Traced_hints_3<Noting_target, Graph> hints(target, c.graph, plan);
+  for (std::size_t i = 0; i < inserted; ++i)
+    target.insert(i, target.locate(i, hints.start(i)), hints);
+  target.notes.clear();
+  BOOST_TEST(hints.trace() == end - inserted);
+  BOOST_REQUIRE(target.notes.size() == end - inserted);
+  BOOST_TEST((target.notes[0].start == target.cell(target.vertex(inserted - 1))));
+  for (std::size_t k = 1; k < target.notes.size(); ++k)
+    BOOST_TEST((target.notes[k].start == target.notes[k - 1].found));
 }

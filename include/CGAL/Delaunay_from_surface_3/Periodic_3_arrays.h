@@ -36,6 +36,9 @@ smallest. Neighbour i is the tetrahedron, or the one of which a copy lies, beyon
 corner i. Without a period along some axis there is a hull: there the neighbour is `none`. There are no
 infinite cells.
 
+The members that are not described here are those of `Delaunay_3_arrays`. But it is no
+`Delaunay_3_arrays`: functions that take one place each point once.
+
 <b>Memory</b>: 24 bytes per tetrahedron more than `Delaunay_3_arrays`.
 
 \tparam Index a signed integer type
@@ -43,9 +46,28 @@ infinite cells.
 \sa `Delaunay_3_arrays`
 */
 template <class Index = std::int32_t>
-class Periodic_3_arrays : public Delaunay_3_arrays<Index>
+class Periodic_3_arrays : private Delaunay_3_arrays<Index>
 {
+  using Base = Delaunay_3_arrays<Index>;
+
 public:
+  using Base::dimension;
+  using Base::drop_neighbors;
+  using Base::is_infinite;
+  using Base::neighbors;
+  using Base::neighbors_data;
+  using Base::none;
+  using Base::number_of_cells;
+  using Base::number_of_points;
+  using Base::number_of_simplices;
+  using Base::number_of_vertices;
+  using Base::separate;
+  using Base::stride;
+  using Base::vertex_of_point;
+  using Base::vertices;
+  using Base::vertices_data;
+  using Base::vertices_of_points;
+
   /// a number of periods along each axis.
   using Offset = std::array<std::int16_t, 3>;
 
@@ -55,7 +77,7 @@ public:
   /// \cond SKIP_IN_MANUAL
   Periodic_3_arrays(Delaunay_3_arrays<Index>&& arrays, std::vector<std::array<Offset, 4>>&& offsets,
                     std::size_t number_of_copies, bool is_simplicial_complex)
-    : Delaunay_3_arrays<Index>(std::move(arrays))
+    : Base(std::move(arrays))
     , m_offsets(std::move(offsets))
     , m_number_of_copies(number_of_copies)
     , m_is_simplicial_complex(is_simplicial_complex)

@@ -10,10 +10,12 @@
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Winding_number_3.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
+#include <CGAL/circumspheres_3.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
 #include <CGAL/insert_weighted_points_3.h>
 #include <CGAL/inside_of_surface_3.h>
+#include <CGAL/periodic_delaunay_3_arrays.h>
 #include <CGAL/surface_of.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -72,6 +74,7 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
           const std::vector<std::pair<Point, std::string>>& named, const std::vector<int>& infos,
           CGAL::Regular_triangulation_3<K>& weighted, std::string& text,
           const CGAL::Delaunay_3_arrays<std::int32_t>& arrays,
+          const CGAL::Periodic_3_arrays<std::int32_t>& in_box,
           std::vector<std::pair<std::size_t, std::size_t>>& edges)
 {
   // expected: this_function_does_not_know_that_named_parameter_see_its_documentation<CGAL::internal_np::vertex_to_vertex_map_t>
@@ -109,6 +112,8 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
   CGAL::inside_of_surface_3(points, std::vector<std::array<long double, 4>>(), arrays);
   // expected: faces have indices of points, which are integers
   CGAL::Winding_number_3(points, std::vector<std::array<Real, 3>>());
+  // expected: is an inaccessible base of
+  CGAL::circumspheres_3(in_box, points);
   // expected: faces have indices of vertices, which are integers
   CGAL::bounded_degree_spanning_subgraph(CGAL::surface_of(8, std::vector<std::array<double, 3>>()),
                                          std::back_inserter(edges));

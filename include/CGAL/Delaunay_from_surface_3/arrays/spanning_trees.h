@@ -11,7 +11,6 @@
 // An edge of a triangle that is longer than both others is in no minimum spanning tree, as it is the
 // longest of a cycle. Such edges are left out before the others are sorted.
 
-#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
@@ -21,9 +20,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -52,33 +53,33 @@ struct Exact_lengths
   }
 };
 
-// The lengths of edges between points whose coordinates are any finite numbers.
+// The lengths of edges between points whose coordinates are any finite numbers. Rounded ones are scaled
+// by a power of 2, so that few squares underflow or overflow.
 class Lengths_between
 {
 public:
   explicit Lengths_between(const Point_array& points)
     : m_points(points)
   {
+    double largest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (int k = 0; k < 3; ++k)
+        largest = (std::max)(largest, std::abs(points[i][k]));
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    m_factor = std::ldexp(1., (std::min)(400 - exponent, 1000));
   }
 
-  // See core::is_clearly_less().
-  static bool is_clearly_less(double x, double y) { return core::is_clearly_less(x, y); }
   double squared_length(std::size_t i, std::size_t j) const
   {
-    return squared_distance(m_points[i], m_points[j]);
+    double square = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double d = m_points[i][k] * m_factor - m_points[j][k] * m_factor;
+      square += d * d;
+    }
+    return square;
   }
 
-  bool is_less(const Measured_edge& a, const Measured_edge& b) const
-  {
-    if (is_clearly_less(a.squared_length, b.squared_length))
-      return true;
-    if (is_clearly_less(b.squared_length, a.squared_length))
-      return false;
-    const int sign = compare(a, b);
-    return sign != 0 ? sign < 0 : a.ends < b.ends;
-  }
-
-  // The sign of the difference of the lengths, exactly.
   int compare(const Measured_edge& a, const Measured_edge& b) const
   {
     const double* const v[3] = {m_points[a.ends[1]], m_points[b.ends[0]], m_points[b.ends[1]]};
@@ -87,6 +88,7 @@ public:
 
 private:
   Point_array m_points;
+  double m_factor;
 };
 
 // The edges of a simplex, and the triangles that they form.
@@ -109,15 +111,39 @@ unsigned longest_edges(const std::array<std::size_t, 4>& v, std::size_t corners,
     for (std::size_t k = 0; k < 3; ++k) {
       const unsigned char* const e = edges_of_triangle[t];
       const double one = length[e[(k + 1) % 3]], other = length[e[(k + 2) % 3]];
-      if (lengths.is_clearly_less(one, length[e[k]]) &&
-          lengths.is_clearly_less(other, length[e[k]]))
+      if (is_clearly_less(one, length[e[k]]) && is_clearly_less(other, length[e[k]]))
         found |= 1u << e[k];
     }
   return found;
 }
 
+// Lists with marks `is_long` of the numbers in them: removes the numbers that have one, and those that
+// were in the same list before. Cost: linear.
+inline void remove_long_and_repeated(Lists<std::uint32_t>& lists, std::uint32_t is_long,
+                                     Steps& step)
+{
+  const std::size_t n = lists.size();
+  std::vector<std::uint32_t> met_by(n, is_long);
+  std::uint32_t *const items = lists.items.data(), *to = items, *begin = items;
+  for (std::size_t s = 0; s < n; ++s) {
+    std::uint32_t* const end = items + lists.first[s + 1];
+    step(std::size_t(end - begin) + 1);
+    lists.first[s] = std::uint32_t(to - items);
+    for (const std::uint32_t* t = begin; t != end; ++t)
+      if ((*t & is_long) != 0)
+        met_by[*t & ~is_long] = std::uint32_t(s);
+    for (const std::uint32_t* t = begin; t != end; ++t)
+      if ((*t & is_long) == 0 && met_by[*t] != s) {
+        met_by[*t] = std::uint32_t(s);
+        *to++ = *t;
+      }
+    begin = end;
+  }
+  lists.first[n] = std::uint32_t(to - items);
+}
+
 // The edges of simplices, each once, but for those that are clearly the longest of a triangle. There are
-// `number` simplices of so many corners, and n < 2^31 vertices; corner_of(c, k) is corner k of simplex c.
+// `number` simplices of 2 to 4 corners, and n < 2^31 vertices; corner_of(c, k) is corner k of simplex c.
 // Cost: linear.
 template <class CornerOf, class Lengths>
 std::vector<Measured_edge> edges_of_simplices(std::size_t number, std::size_t corners,
@@ -127,7 +153,7 @@ std::vector<Measured_edge> edges_of_simplices(std::size_t number, std::size_t co
   constexpr std::uint32_t is_long = std::uint32_t(1) << 31;
   const std::size_t edges = corners * (corners - 1) / 2;
   if (n >= is_long || edges * number >= (std::numeric_limits<std::uint32_t>::max)())
-    throw Too_many_cells();
+    throw std::length_error("edges are found of at most 700 million tetrahedra");
   // Calls visit(list, other end, whether it is the longest) for the edges of a part of the simplices.
   const std::size_t blocks = number_of_blocks(executor, number, many_items);
   const auto visit_edges = [&](std::size_t block, bool measures, const auto& visit) {
@@ -147,25 +173,19 @@ std::vector<Measured_edge> edges_of_simplices(std::size_t number, std::size_t co
   sort.count([&](std::size_t b, std::uint32_t* numbers) {
     visit_edges(b, false, [&](std::size_t s, std::size_t, bool) { ++numbers[s]; });
   });
-  const Lists<std::uint32_t> others =
+  Lists<std::uint32_t> others =
       sort.place([&](std::size_t b, std::uint32_t* places, std::uint32_t* items) {
         visit_edges(b, true, [&](std::size_t s, std::size_t t, bool is_longest) {
           items[places[s]++] = std::uint32_t(t) | (is_longest ? is_long : 0);
         });
       });
-  std::vector<Measured_edge> found;
-  std::vector<std::uint32_t> met_by(n, is_long);
   Steps step(executor);
-  for (std::size_t s = 0; s < n; ++s) {
-    step(std::size_t(others.end(s) - others.begin(s)) + 1);
-    for (const bool are_long : {true, false})
-      for (const std::uint32_t* t = others.begin(s); t != others.end(s); ++t)
-        if (((*t & is_long) != 0) == are_long && met_by[*t & ~is_long] != s) {
-          met_by[*t & ~is_long] = std::uint32_t(s);
-          if (!are_long)
-            found.push_back(measured_edge(s, *t, 0));
-        }
-  }
+  remove_long_and_repeated(others, is_long, step);
+  std::vector<Measured_edge> found;
+  found.reserve(others.first[n]);
+  for (std::size_t s = 0; s < n; ++s)
+    for (const std::uint32_t* t = others.begin(s); t != others.end(s); ++t)
+      found.push_back(measured_edge(s, *t, 0));
   return found;
 }
 

@@ -183,8 +183,9 @@ private:
 // Invariant: after a trace, the record of every point of the next round is a finite vertex of the
 // cell that contains it. While points are only inserted, a vertex is never destroyed, but the cell
 // can be.
-// Cost: one walk per point located; expected O(n) cells per trace if T consists of Delaunay edges
-// and has bounded degree (Lemma 2, Theorem 3), and all points are located.
+// Cost: one walk per point located. If all points are located, each walk follows an edge of T, so
+// that a trace crosses expected O(n) cells if T consists of Delaunay edges and has bounded degree
+// (Lemma 2, Theorem 3); a walk may enter cells off the edge, too.
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
@@ -201,7 +202,7 @@ over the others, and a point is located from the last point before them.
 <b>Complexity</b>: \f$O(n)\f$ time for the traversal, plus the cells that the locations enter. There
 is no recursion: T may be a path of millions of vertices.
 
-<b>Memory</b>: during a trace at most two indices and a cell handle per point.
+<b>Memory</b>: at most two indices and a cell handle per point, which are kept for the next trace.
 
 \tparam Target a `Triangulation_target_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
@@ -314,7 +315,8 @@ starts every insertion where the last trace found the point (\cgalCite{choi-dtsm
 2a and 2b), with a walk in place of the paper's location structure Q. A trace follows T from
 inserted vertices outwards (`Trace_subgraph`). It locates and records the points of the next round:
 records of later ones, which the paper determines as well, would be replaced before they are used. In
-a component without an inserted vertex, the first point is located from the vertex inserted last.
+a component without an inserted vertex, the first point is located from the cell of the point that
+was located before it.
 
 After a trace the record of a point of the next round is a finite vertex of the cell that contains
 it. While points are only inserted, a vertex is never destroyed, but the cell can be.
@@ -323,8 +325,7 @@ it. While points are only inserted, a vertex is never destroyed, but the cell ca
 along T, nothing is claimed; the cells that they enter are measured in
 \ref delaunay_from_surface_3_the_paper "the page on the paper".
 
-<b>Memory</b>: a vertex handle per point, and during a trace at most two indices and a cell handle
-per point.
+<b>Memory</b>: per point a vertex handle, and at most two indices and a cell handle.
 
 \tparam Target a `Triangulation_target_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
@@ -343,7 +344,7 @@ public:
   /// `true`: the subgraph is traced.
   static constexpr bool uses_subgraph = true;
 
-  /// keeps references to target and subgraph. The rounds are those of `plan`.
+  /// keeps references to target, subgraph and plan, whose rounds it traces.
   Traced_hints_3(const Target& target, const Subgraph& subgraph, const Insertion_order& plan)
     : Base(target, subgraph)
     , m_trace(target, subgraph)
@@ -367,9 +368,11 @@ public:
   /// \pre A point is inserted, and a round follows.
   std::size_t trace()
   {
-    return m_trace([this](std::size_t i) { return start(i); },
-                   [this](std::size_t i, const typename Target::Location& location) {
+    Cell last = m_target.cell(this->m_previous);
+    return m_trace([&](std::size_t) { return last; },
+                   [&](std::size_t i, const typename Target::Location& location) {
                      m_record[i] = m_target.nearest_vertex(i, location);
+                     last = location.cell;
                    },
                    m_round_ends[++m_round]);
   }

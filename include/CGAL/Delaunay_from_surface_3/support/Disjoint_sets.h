@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -62,7 +63,8 @@ private:
   std::vector<Index> m_parent;
 };
 
-// The smaller number first. Edges of the same length are taken in lexicographical order.
+// The smaller number first. Edges of the same length are taken in lexicographical order, those with the
+// same ends by their places.
 struct Measured_edge
 {
   std::array<std::size_t, 2> ends;
@@ -83,7 +85,7 @@ inline bool is_clearly_less(double x, double y)
 }
 
 // Keeps the edges of a minimum spanning forest of n vertices, from the shortest to the longest.
-// Cost: O(m log m).
+// lengths.compare(a, b) is the sign of the difference of two lengths, exactly. Cost: O(m log m).
 template <class Lengths>
 void keep_minimum_spanning_forest(std::vector<Measured_edge>& edges, std::size_t n,
                                   const Lengths& lengths, const Executor& executor = Alone())
@@ -93,7 +95,12 @@ void keep_minimum_spanning_forest(std::vector<Measured_edge>& edges, std::size_t
     e.squared_length = lengths.squared_length(e.ends[0], e.ends[1]);
   std::sort(edges.begin(), edges.end(), [&](const Measured_edge& a, const Measured_edge& b) {
     step();
-    return lengths.is_less(a, b);
+    if (is_clearly_less(a.squared_length, b.squared_length))
+      return true;
+    if (is_clearly_less(b.squared_length, a.squared_length))
+      return false;
+    const int sign = lengths.compare(a, b);
+    return sign != 0 ? sign < 0 : std::tie(a.ends, a.place) < std::tie(b.ends, b.place);
   });
   Disjoint_sets<std::size_t> trees(n);
   const auto is_superfluous = [&](const Measured_edge& e) {

@@ -33,6 +33,9 @@ template <class Point, class GeomTraits>
 class Lengths_by_kernel
 {
 public:
+  static constexpr bool has_doubles =
+      std::is_same<std::decay_t<decltype(std::declval<const Point&>().x())>, double>::value;
+
   // Keeps a reference.
   Lengths_by_kernel(const std::vector<const Point*>& points, const GeomTraits& gt)
     : m_points(points)
@@ -50,17 +53,7 @@ public:
     }
     return 0;
   }
-  static bool is_clearly_less(double x, double y) { return core::is_clearly_less(x, y); }
 
-  bool is_less(const Measured_edge& a, const Measured_edge& b) const
-  {
-    if (is_clearly_less(a.squared_length, b.squared_length))
-      return true;
-    if (is_clearly_less(b.squared_length, a.squared_length))
-      return false;
-    const int sign = compare(a, b);
-    return sign != 0 ? sign < 0 : a.ends < b.ends;
-  }
   int compare(const Measured_edge& a, const Measured_edge& b) const
   {
     return int(m_compare_distance(*m_points[a.ends[0]], *m_points[a.ends[1]], *m_points[b.ends[0]],
@@ -68,9 +61,6 @@ public:
   }
 
 private:
-  static constexpr bool has_doubles =
-      std::is_same<std::decay_t<decltype(std::declval<const Point&>().x())>, double>::value;
-
   const std::vector<const Point*>& m_points;
   decltype(std::declval<const GeomTraits&>().compare_distance_3_object()) m_compare_distance;
 };

@@ -38,9 +38,10 @@ struct Surface_component_topology
 
   /// a k ≥ 3 such that the graph is k-connected: fewer than k vertices never separate it. With
   /// boundary this is meant after closing each loop by a vertex that is joined to all of its
-  /// vertices. `surface_topology()` finds 4 if the component is closed, of five vertices or more, and
-  /// all its cycles of three edges are triangles, 5 if, besides, those of four edges surround two triangles each, otherwise
-  /// 3. If you know more, set it: `near_minimum_tree_degree_bound()` uses it.
+  /// vertices. `surface_topology()` finds 4 if the component is closed, has at least five vertices,
+  /// and all its cycles of three edges are triangles; 5 if, besides, each cycle of four edges
+  /// surrounds two triangles; otherwise 3. If you know more, set it:
+  /// `near_minimum_tree_degree_bound()` uses it, and takes less than 3 for 3.
   std::size_t connectivity = 3;
 
   /// returns χ: vertices − edges + triangles.
@@ -88,7 +89,7 @@ struct Surface_component_topology
     if (euler_genus() == 0 && number_of_boundary_loops <= 1)
       return 3;
     const std::ptrdiff_t chi = euler_characteristic(), side = number_of_boundary_loops > 0 ? 1 : -1;
-    const std::ptrdiff_t k = std::ptrdiff_t(connectivity);
+    const std::ptrdiff_t k = std::ptrdiff_t((std::max)(connectivity, std::size_t(3)));
     std::ptrdiff_t bound = 3, by_edges = 0, by_euler = 1;
     // Once the second is the smaller one, the quotient falls, or is at most 2 / (k − 2).
     for (std::ptrdiff_t x = 2; by_edges < by_euler; ++x) {
@@ -343,15 +344,18 @@ private:
   {
     std::vector<Short_cycles> cycles(m_topology.components.size());
     std::vector<Index> paths(m_surface.number_of_vertices(), 0);
-    for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
-      if (m_surface.degree(v) > 0)
-        count_cycles_below(v, paths, cycles[m_topology.component_of_vertex[v]]);
+    const auto is_counted = [](const Surface_component_topology& component) {
+      return component.number_of_boundary_loops == 0 && component.number_of_vertices >= 5;
+    };
+    for (Index v = 0; v < m_surface.number_of_vertices(); ++v) {
+      const std::size_t i = m_topology.component_of_vertex[v];
+      if (i < cycles.size() && is_counted(m_topology.components[i]))
+        count_cycles_below(v, paths, cycles[i]);
+    }
     for (std::size_t i = 0; i < cycles.size(); ++i) {
       Surface_component_topology& component = m_topology.components[i];
-      if (component.number_of_boundary_loops > 0 || component.number_of_vertices < 5 ||
-          cycles[i].of_three_twice != 2 * component.number_of_triangles)
-        continue;
-      component.connectivity = cycles[i].of_four == component.number_of_edges ? 5 : 4;
+      if (is_counted(component) && cycles[i].of_three_twice == 2 * component.number_of_triangles)
+        component.connectivity = cycles[i].of_four == component.number_of_edges ? 5 : 4;
     }
   }
 

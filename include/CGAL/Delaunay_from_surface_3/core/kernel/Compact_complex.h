@@ -151,7 +151,7 @@ public:
   }
 
   // The size of rows up to which doubles round nothing (lattice_sign()); 0 if the vertices are on no
-  // lattice, or nobody has looked.
+  // lattice, or if that is not known.
   double exact_size() const { return m_exact_size; }
   void set_exact_size(double size) { m_exact_size = size; }
 

@@ -222,13 +222,13 @@ public:
   // Returns true if no coordinate is rounded, as only coordinates that become smaller can be.
   bool is_exact() const { return m_is_exact; }
 
-  // Compact_complex::exact_size() of what was scaled.
+  // Compact_complex::exact_size() of what was scaled. 0 if the fifth power of the scaled unit, which
+  // divides a determinant, might underflow, as weights that are huge can make it.
   double exact_size() const
   {
-    if (!m_is_lattice || !m_is_exact || m_largest == 0)
-      return 0;
     const double unit = std::ldexp(m_factor, m_unit);
-    return 0x1p19 * unit * unit;
+    return m_is_lattice && m_is_exact && m_largest > 0 && unit > 0x1p-150 ? 0x1p19 * unit * unit
+                                                                          : 0;
   }
 
   std::array<double, 3> operator()(const double* p) const
