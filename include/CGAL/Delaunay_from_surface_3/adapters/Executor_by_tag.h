@@ -13,22 +13,26 @@
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
-
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
+#include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
+#endif
 #include <CGAL/Delaunay_from_surface_3/core/threads/Marks.h>
-#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
-#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
+#endif
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+#ifdef CGAL_LINKED_WITH_TBB
 
 // Runs bodies as tasks of TBB, in the arena of the caller. They are isolated: while the caller
 // waits for them it takes no other task, such as one that called this package, too; and they belong
@@ -67,37 +71,11 @@ private:
 
 using Parallel_executor = Tbb_executor;
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
-
 #else
-
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
-namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 using Parallel_executor = void;
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
-
 #endif // CGAL_LINKED_WITH_TBB
-
-#if defined(CGAL_LINKED_WITH_TBB) && !defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED)
-#include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
-#endif
-
-#include <type_traits>
-
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
-namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Tag>
 struct Executor_of_tag

@@ -209,8 +209,10 @@ build_by(Source& points, Build_options options, Observer& observer, const Execut
       built->outcome = insert_in_rounds(insert, built->order, observer, budget);
       built->counts = insert.counts();
       if (built->outcome == Insertion_outcome::COMPLETE) {
-        observer.insertion_ends(built->counts);
-        observer.phase_begins(Surface_insertion_phase::FINISH, 0);
+        if (!is_rounded<typename Vertex::Place>) { // other copies follow
+          observer.insertion_ends(built->counts);
+          observer.phase_begins(Surface_insertion_phase::FINISH, 0);
+        }
         insert.finish();
         if constexpr (Vertex::has_weight)
           leave_out_hidden_vertices(*built, options.locates_hidden);

@@ -42,6 +42,31 @@ inline double squared_distance(const double* p, const double* q)
   return x * x + y * y + z * z;
 }
 
+// A box with edges along the axes; empty at first.
+struct Bounds
+{
+  double low[3] = {infinity, infinity, infinity}, high[3] = {-infinity, -infinity, -infinity};
+
+  void add(const double* p)
+  {
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = (std::min)(low[a], p[a]);
+      high[a] = (std::max)(high[a], p[a]);
+    }
+  }
+  bool is_empty() const { return low[0] > high[0]; }
+  double size() const
+  {
+    double longest = 0;
+    for (std::size_t a = 0; a < 3; ++a)
+      longest = (std::max)(longest, high[a] - low[a]);
+    return longest;
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+};
+
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {

@@ -243,7 +243,7 @@ public:
   virtual void notice(Surface_insertion_notice, const char* /* reason */) {}
   virtual void insertion_ends(const Insertion_counts&) {}
 
-  // Is asked about every 256 points, with the number of points inserted so far, which many threads
+  // Is asked every 256 points or more often, with the number of points inserted so far, which many threads
   // only estimate; `false` stops the work.
   virtual bool go_further(std::size_t /* inserted */) { return true; }
 

@@ -193,15 +193,24 @@ class Power_of_scale
 public:
   // Chooses the power for the points and, unless it is null, one more point. Weights, unless they
   // are null, are scaled by its square.
-  Power_of_scale(const Point_array& points, const double* one_more, const double* weights = nullptr)
+  Power_of_scale(const Point_array& points, const double* one_more, const double* weights = nullptr,
+                 const Executor& executor = Alone())
   {
     if (obstacle_of_compiler() != nullptr)
       return;
     m_is_lattice = true;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      look_at(points[i]);
     if (one_more != nullptr)
       look_at(one_more);
+    std::vector<Power_of_scale> parts(number_of_blocks(executor, points.size(), 4096), *this);
+    for_each_block(executor, points.size(), parts.size(),
+                   [&](std::size_t first, std::size_t last, std::size_t b) {
+                     Power_of_scale part = parts[b];
+                     for (std::size_t i = first; i < last; ++i)
+                       part.look_at(points[i]);
+                     parts[b] = part;
+                   });
+    for (const Power_of_scale& part : parts)
+      add(part);
     if (weights != nullptr)
       look_at_weights(weights, points.size());
     choose();
@@ -254,6 +263,16 @@ private:
     for (int k = 0; m_is_lattice && k < 3; ++k)
       if (p[k] != 0)
         look_at_unit(Bits_of_double(p[k]).exponent);
+  }
+
+  // Takes what another one has seen.
+  void add(const Power_of_scale& other)
+  {
+    m_largest = (std::max)(m_largest, other.m_largest);
+    m_least = (std::min)(m_least, other.m_least);
+    m_is_lattice = m_is_lattice && other.m_is_lattice;
+    if (m_is_lattice)
+      look_at_unit(other.m_unit);
   }
 
   // All are multiples of 2^exponent. A lattice that has so many of these across is of no use.
@@ -323,7 +342,7 @@ public:
     using Coordinates = typename Compact_complex<Vertex>::Coordinates_of_point;
     has_apex = apex != nullptr;
     vertices.assign(order.size + has_apex, 0);
-    const Power_of_scale scaled(points, apex, weights);
+    const Power_of_scale scaled(points, apex, weights, executor);
     const auto point = [&](std::size_t k) {
       return k < order.size ? points[order.order[k]] : apex;
     };

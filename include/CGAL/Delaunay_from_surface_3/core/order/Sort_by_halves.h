@@ -18,6 +18,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -49,41 +50,63 @@ public:
   {
     if (first == last)
       return;
-    m_items.clear();
-    m_items.reserve(std::size_t(last - first));
-    for (const std::size_t* i = first; i != last; ++i) {
-      const double* const p = points[*i];
-      m_items.push_back({{p[0], p[1], p[2]}, *i});
-    }
-    const Box box(m_items.data(), m_items.data() + m_items.size());
+    const std::size_t n = std::size_t(last - first);
+    const Given given = {points, first, n, executor};
+    const Box box = box_of(given);
     begin_after(box.low); // starts in a corner
-    Item* const begin = m_items.data();
-    Item* const end = begin + m_items.size();
-    if (!sort_in_parts(begin, end, box, nullptr, executor))
-      sort(begin, end, box, nullptr);
-    for (const Item& item : m_items)
-      *first++ = item.index;
+    m_items.allocate(n);
+    std::ptrdiff_t ends[parts + 1];
+    if (n > std::size_t(many) && put_in_parts(given, box, ends)) {
+      sort_parts(m_items.data(), ends, nullptr, executor);
+    } else {
+      for (std::size_t i = 0; i < n; ++i)
+        m_items[i] = item(points, first[i]);
+      sort(m_items.data(), m_items.data() + n, box, nullptr);
+    }
+    given.in_blocks([&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = begin; i < end; ++i)
+        first[i] = m_items[i].index;
+    });
   }
 
   // Returns the points that were sorted last, in order.
-  const std::vector<Item>& items() const { return m_items; }
+  const Item* items() const { return m_items.data(); }
 
 private:
   static constexpr std::ptrdiff_t few = 4; // so few are left as they are
   static constexpr std::ptrdiff_t many = 2048, size_of_sample = 512;
   static constexpr std::size_t parts = 64; // each has 8 points of the sample
 
-  struct Box
+  // The points that are sorted.
+  struct Given
   {
+    const Point_array& points;
+    const std::size_t* indices;
+    std::size_t size;
+    const Executor& executor;
+
+    const double* point(std::size_t i) const { return points[indices[i]]; }
+    std::size_t blocks() const { return number_of_blocks(executor, size, 4096); }
+    template <class Body>
+    void in_blocks(const Body& body) const
+    {
+      for_each_block(executor, size, blocks(), body);
+    }
+  };
+
+  static Item item(const Point_array& points, std::size_t index)
+  {
+    const double* const p = points[index];
+    return {{p[0], p[1], p[2]}, index};
+  }
+
+  struct Box : Bounds
+  {
+    Box() = default;
     Box(const Item* first, const Item* last)
     {
-      std::copy(first->coordinates, first->coordinates + 3, low);
-      std::copy(first->coordinates, first->coordinates + 3, high);
-      for (const Item* i = first + 1; i != last; ++i)
-        for (int k = 0; k < 3; ++k) {
-          low[k] = (std::min)(low[k], i->coordinates[k]);
-          high[k] = (std::max)(high[k], i->coordinates[k]);
-        }
+      for (; first != last; ++first)
+        add(first->coordinates);
     }
     double middle(int k) const { return low[k] / 2 + high[k] / 2; }
     double nearest(int k, double x) const { return (std::max)(low[k], (std::min)(high[k], x)); }
@@ -94,15 +117,30 @@ private:
     {
       return {nearest(0, box.middle(0)), nearest(1, box.middle(1)), nearest(2, box.middle(2))};
     }
-    double low[3], high[3];
   };
 
-  // Says where a set is halved: items beyond go into the second half.
+  static Box box_of(const Given& given)
+  {
+    std::vector<Box> boxes(given.blocks());
+    given.in_blocks([&](std::size_t begin, std::size_t end, std::size_t b) {
+      Box box;
+      for (std::size_t i = begin; i < end; ++i)
+        box.add(given.point(i));
+      boxes[b] = box;
+    });
+    for (const Box& box : boxes) {
+      boxes[0].add(box.low);
+      boxes[0].add(box.high);
+    }
+    return boxes[0];
+  }
+
+  // Says where a set is halved: points beyond go into the second half.
   struct Cut
   {
     int axis;
     double sign, at;
-    bool is_before(const Item& item) const { return sign * item.coordinates[axis] < at; }
+    bool is_before(const double* p) const { return sign * p[axis] < at; }
   };
 
   // Sorts items after the point m_before, and before the box `next`, if there is one. It is not
@@ -110,7 +148,7 @@ private:
   CGAL_DELAUNAY_FROM_SURFACE_3_APART void sort(Item* first, Item* last, Box box, const Box* next)
   {
     while (last - first > few) {
-      if (sort_in_parts(first, last, box, next, Alone()))
+      if (last - first > many && sort_in_parts(first, last, box, next))
         return;
       Cut cut;
       Item* const middle = halve(first, last, box, next, cut);
@@ -158,52 +196,90 @@ private:
     cut_sample(2 * k + 1, middle, last, second, next, cuts);
   }
 
-  // Finds the cuts by a sample of the points, which are drawn evenly from all of them.
-  void cut_by_sample(const Item* first, const Item* last, const Box& box, const Box* next,
+  // Finds the cuts by a sample of n points, which are drawn evenly from all of them. item_of(i) returns
+  // the i-th.
+  template <class ItemOf>
+  void cut_by_sample(std::size_t n, const ItemOf& item_of, const Box& box, const Box* next,
                      Cut* cuts)
   {
     Item sample[size_of_sample];
-    const std::ptrdiff_t stratum = (last - first) / size_of_sample;
+    const std::size_t stratum = n / size_of_sample;
     Split_mix random(0);
-    for (std::ptrdiff_t k = 0; k < size_of_sample; ++k)
-      sample[k] = first[stratum * k + std::ptrdiff_t(random.below(std::uint64_t(stratum)))];
+    for (std::size_t k = 0; k < size_of_sample; ++k)
+      sample[k] = item_of(stratum * k + std::size_t(random.below(stratum)));
     double before[3];
     std::copy(m_before, m_before + 3, before);
     cut_sample(1, sample, sample + size_of_sample, box, next, cuts);
     begin_after(before);
   }
 
-  // Puts the points into parts, of which the p-th then ends at ends[p + 1]. Returns false, and
-  // leaves the points alone, if the sample is not like them. Not inlined: samples would fill the
-  // recursion's stack.
-  CGAL_DELAUNAY_FROM_SURFACE_3_APART bool put_in_parts(Item* first, Item* last, const Box& box,
-                                                       const Box* next, std::ptrdiff_t* ends,
-                                                       const Executor& executor)
+  // Makes the numbers of points in parts the ends of these: the p-th then ends at ends[p + 1]. Returns
+  // false if the sample is not like the points.
+  static bool make_ends(std::ptrdiff_t* ends)
+  {
+    const std::ptrdiff_t largest = *std::max_element(ends, ends + parts + 1);
+    std::partial_sum(ends, ends + parts + 1, ends);
+    return largest <= ends[parts] / 4;
+  }
+
+  // Puts the points into parts of m_items, in their order.
+  bool put_in_parts(const Given& given, const Box& box, std::ptrdiff_t* ends)
   {
     Cut cuts[parts];
-    cut_by_sample(first, last, box, next, cuts);
-    const auto n = std::size_t(last - first);
-    std::vector<unsigned char> part(n);
-    for_each_block(executor, n, number_of_blocks(executor, n, 4096),
-                   [&](std::size_t begin, std::size_t end, std::size_t) {
-                     for (std::size_t i = begin; i < end; ++i)
-                       part[i] = part_of(first[i], cuts);
-                   });
-    std::fill(ends, ends + parts + 1, 0);
-    for (const unsigned char p : part)
-      ++ends[p + 1];
-    if (*std::max_element(ends, ends + parts + 1) > (last - first) / 4)
+    cut_by_sample(
+        given.size, [&](std::size_t i) { return item(given.points, given.indices[i]); }, box,
+        nullptr, cuts);
+    std::vector<unsigned char> part(given.size);
+    std::vector<std::array<std::size_t, parts>> next(given.blocks());
+    given.in_blocks([&](std::size_t begin, std::size_t end, std::size_t b) {
+      std::array<std::size_t, parts> numbers = {};
+      for (std::size_t i = begin; i < end; ++i)
+        ++numbers[part[i] = part_of(given.point(i), cuts)];
+      next[b] = numbers;
+    });
+    std::size_t number = 0;
+    ends[0] = 0;
+    for (std::size_t p = 0; p < parts; ++p) {
+      const std::size_t first = number;
+      for (auto& of_block : next)
+        number += std::exchange(of_block[p], number);
+      ends[p + 1] = std::ptrdiff_t(number - first);
+    }
+    if (!make_ends(ends))
       return false;
-    std::partial_sum(ends, ends + parts + 1, ends);
-    move_to_parts(first, part.data(), ends);
+    given.in_blocks([&](std::size_t begin, std::size_t end, std::size_t b) {
+      std::array<std::size_t, parts> places = next[b];
+      for (std::size_t i = begin; i < end; ++i)
+        m_items[places[part[i]]++] = item(given.points, given.indices[i]);
+    });
     return true;
   }
 
-  static unsigned char part_of(const Item& item, const Cut* cuts)
+  // Returns false, and leaves the items alone, if the sample is not like them. Not inlined: samples would
+  // fill the recursion's stack.
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART bool sort_in_parts(Item* first, Item* last, const Box& box,
+                                                        const Box* next)
+  {
+    std::ptrdiff_t ends[parts + 1] = {};
+    Cut cuts[parts];
+    const auto n = std::size_t(last - first);
+    cut_by_sample(
+        n, [first](std::size_t i) { return first[i]; }, box, next, cuts);
+    std::vector<unsigned char> part(n);
+    for (std::size_t i = 0; i < n; ++i)
+      ++ends[1 + (part[i] = part_of(first[i].coordinates, cuts))];
+    if (!make_ends(ends))
+      return false;
+    move_to_parts(first, part.data(), ends);
+    sort_parts(first, ends, next, Alone());
+    return true;
+  }
+
+  static unsigned char part_of(const double* p, const Cut* cuts)
   {
     std::size_t set = 1;
     while (set < parts)
-      set = 2 * set + !cuts[set].is_before(item);
+      set = 2 * set + !cuts[set].is_before(p);
     return static_cast<unsigned char>(set - parts);
   }
 
@@ -219,18 +295,6 @@ private:
           std::swap(items[k], items[there]);
           std::swap(part[k], part[there]);
         }
-  }
-
-  bool sort_in_parts(Item* first, Item* last, const Box& box, const Box* next,
-                     const Executor& executor)
-  {
-    if (last - first <= many)
-      return false;
-    std::ptrdiff_t ends[parts + 1];
-    if (!put_in_parts(first, last, box, next, ends, executor))
-      return false;
-    sort_parts(first, ends, next, executor);
-    return true;
   }
 
   void sort_parts(Item* items, const std::ptrdiff_t* ends, const Box* next,
@@ -258,7 +322,7 @@ private:
 
   void begin_after(const double* point) { std::copy(point, point + 3, m_before); }
 
-  std::vector<Item> m_items;
+  Page_array<Item> m_items;
   double m_before[3] = {};
 };
 

@@ -39,25 +39,30 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Finds the centres of sorted points, each named by its position.
+// Finds the centres of sorted points, each named by its position. They are found in blocks of so many
+// points that these hardly matter: the same whatever the number of threads.
 class Spaced_centers
 {
 public:
   using Position = std::uint32_t;
-  using Items = std::vector<Sort_by_halves::Item>;
+  using Item = Sort_by_halves::Item;
 
-  explicit Spaced_centers(const Items& items)
+  Spaced_centers(const Item* items, std::size_t n, const Executor& executor)
     : m_items(items)
-    , m_left(items.size())
+    , m_executor(executor)
+    , m_left(n)
   {
     std::iota(m_left.begin(), m_left.end(), Position(0));
-    level.resize(items.size());
+    level.resize(n);
     center = m_left;
-    sizes.push_back(items.size());
+    sizes.push_back(n);
     while (m_left.size() > coarsest) {
       thin_out();
-      for (const Position i : m_left)
-        ++level[i];
+      for_each_block(m_executor, m_left.size(), number_of_blocks(m_executor, m_left.size(), block),
+                     [this](std::size_t begin, std::size_t end, std::size_t) {
+                       for (std::size_t k = begin; k < end; ++k)
+                         ++level[m_left[k]];
+                     });
       sizes.push_back(m_left.size());
     }
   }
@@ -67,16 +72,16 @@ public:
   std::vector<std::size_t> sizes;   // by level, the number of points of this level or a higher one
 
 private:
-  static constexpr std::size_t coarsest = 64, group = 8, window = 6;
+  static constexpr std::size_t coarsest = 64, group = 8, window = 6, block = 8192;
   static constexpr double spacing = 0.35;
 
-  // Returns the squared diagonal of the box of the group of points that begins at `first`.
-  double squared_diagonal(std::size_t first) const
+  // Returns the squared diagonal of the box of the points first, …, last - 1.
+  double squared_diagonal(std::size_t first, std::size_t last) const
   {
     double low[3], high[3];
     std::copy(coordinates(first), coordinates(first) + 3, low);
     std::copy(low, low + 3, high);
-    for (std::size_t k = first + 1; k < (std::min)(first + group, m_left.size()); ++k)
+    for (std::size_t k = first + 1; k < last; ++k)
       for (int i = 0; i < 3; ++i) {
         low[i] = (std::min)(low[i], coordinates(k)[i]);
         high[i] = (std::max)(high[i], coordinates(k)[i]);
@@ -87,27 +92,48 @@ private:
   // Keeps the centres among the points left, about seven eighths of them at most.
   void thin_out()
   {
-    const std::size_t n = m_left.size();
-    std::size_t m = 0;
-    double before = squared_diagonal(0), here = before, after = before;
-    for (std::size_t first = 0; first < n; first += group) {
-      before = here;
-      here = after;
-      if (first + group < n)
-        after = squared_diagonal(first + group);
-      const double near = spacing * spacing * (before + here + after) / 3;
-      for (std::size_t k = first; k < (std::min)(first + group, n); ++k)
-        m = keep_or_give_to_center(m_left[k], m, near);
-    }
+    const std::size_t n = m_left.size(), blocks = (n + block - 1) / block;
+    std::vector<std::size_t> ends(blocks);
+    for_each_block(m_executor, blocks, number_of_blocks(m_executor, blocks, 1),
+                   [&](std::size_t begin, std::size_t end, std::size_t) {
+                     for (std::size_t b = begin; b < end; ++b)
+                       ends[b] = thin_out_block(b * block, (std::min)(n, (b + 1) * block));
+                   });
+    std::size_t m = ends[0];
+    for (std::size_t b = 1; b < blocks; ++b)
+      m = std::size_t(std::copy(m_left.begin() + std::ptrdiff_t(b * block),
+                                m_left.begin() + std::ptrdiff_t(ends[b]),
+                                m_left.begin() + std::ptrdiff_t(m)) -
+                      m_left.begin());
     if (m > n - n / 8)
       m = every_second(m);
     m_left.resize(m);
   }
 
-  // Adds point i to m centres, or gives it to a near one. Returns the number of centres.
-  std::size_t keep_or_give_to_center(Position i, std::size_t m, double near)
+  // Moves the centres among the points begin, …, end - 1 to the front. Returns where they end.
+  std::size_t thin_out_block(std::size_t begin, std::size_t end)
   {
-    const std::size_t oldest = m > window ? m - window : 0;
+    const auto squared_diagonal_at = [&](std::size_t first) {
+      return squared_diagonal(first, (std::min)(first + group, end));
+    };
+    std::size_t m = begin;
+    double before = squared_diagonal_at(begin), here = before, after = before;
+    for (std::size_t first = begin; first < end; first += group) {
+      before = here;
+      here = after;
+      if (first + group < end)
+        after = squared_diagonal_at(first + group);
+      const double near = spacing * spacing * (before + here + after) / 3;
+      for (std::size_t k = first; k < (std::min)(first + group, end); ++k)
+        m = keep_or_give_to_center(m_left[k], m, m > begin + window ? m - window : begin, near);
+    }
+    return m;
+  }
+
+  // Adds point i to the centres before m, or gives it to a near one from `oldest` on. Returns the end
+  // of the centres.
+  std::size_t keep_or_give_to_center(Position i, std::size_t m, std::size_t oldest, double near)
+  {
     for (std::size_t c = m; c > oldest; --c)
       if (squared_distance(coordinates(c - 1), m_items[i].coordinates) < near) {
         center[i] = m_left[c - 1];
@@ -129,11 +155,12 @@ private:
 
   const double* coordinates(std::size_t k) const { return m_items[m_left[k]].coordinates; }
 
-  const Items& m_items;
+  const Item* m_items;
+  const Executor& m_executor;
   std::vector<Position> m_left; // ascending
 };
 
-// Returns spaced rounds of fewer than 2^32 points. The threads of the executor sort the points.
+// Returns spaced rounds of fewer than 2^32 points, the same whatever the number of threads.
 inline Insertion_order spaced_rounds(const Point_array& points, const Executor& executor = Alone())
 {
   const std::size_t n = points.size();
@@ -144,22 +171,37 @@ inline Insertion_order spaced_rounds(const Point_array& points, const Executor& 
   std::iota(result.order.begin(), result.order.end(), std::size_t(0));
   Sort_by_halves sort;
   sort(points, result.order.data(), result.order.data() + n, executor);
-  const Spaced_centers centers(sort.items());
+  const Spaced_centers centers(sort.items(), n, executor);
   const std::vector<std::size_t>& sizes = centers.sizes;
   result.round_ends.assign(sizes.rbegin(), sizes.rend());
-  std::vector<std::size_t> next(sizes.begin() + 1, sizes.end()); // places, by level
-  next.push_back(0);
+
+  // The next places, by block of positions and by level.
+  const std::size_t blocks = number_of_blocks(executor, n, 4096), levels = sizes.size();
+  std::vector<std::vector<std::size_t>> next(blocks, std::vector<std::size_t>(levels));
+  for_each_block(executor, n, blocks, [&](std::size_t begin, std::size_t end, std::size_t b) {
+    for (std::size_t i = begin; i < end; ++i)
+      ++next[b][centers.level[i]];
+  });
+  for (std::size_t level = 0; level < levels; ++level) {
+    std::size_t place = level + 1 < levels ? sizes[level + 1] : 0;
+    for (auto& of_block : next)
+      place += std::exchange(of_block[level], place);
+  }
   std::vector<Spaced_centers::Position> places(n); // by position
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t place = next[centers.level[i]]++;
-    places[i] = static_cast<Spaced_centers::Position>(place);
-    result.order[place] = sort.items()[i].index;
-  }
+  for_each_block(executor, n, blocks, [&](std::size_t begin, std::size_t end, std::size_t b) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t place = next[b][centers.level[i]]++;
+      places[i] = static_cast<Spaced_centers::Position>(place);
+      result.order[place] = sort.items()[i].index;
+    }
+  });
   result.starting_places.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t place = places[i], of_center = places[centers.center[i]];
-    result.starting_places[place] = of_center != place ? of_center : place - (place > 0);
-  }
+  for_each_block(executor, n, blocks, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t place = places[i], of_center = places[centers.center[i]];
+      result.starting_places[place] = of_center != place ? of_center : place - (place > 0);
+    }
+  });
   return result;
 }
 

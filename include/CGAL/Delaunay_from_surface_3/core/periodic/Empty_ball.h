@@ -38,31 +38,6 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A box with edges along the axes; empty at first.
-struct Bounds
-{
-  double low[3] = {infinity, infinity, infinity}, high[3] = {-infinity, -infinity, -infinity};
-
-  void add(const double* p)
-  {
-    for (std::size_t a = 0; a < 3; ++a) {
-      low[a] = (std::min)(low[a], p[a]);
-      high[a] = (std::max)(high[a], p[a]);
-    }
-  }
-  bool is_empty() const { return low[0] > high[0]; }
-  double size() const
-  {
-    double longest = 0;
-    for (std::size_t a = 0; a < 3; ++a)
-      longest = (std::max)(longest, high[a] - low[a]);
-    return longest;
-  }
-
-private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-};
-
 class Empty_ball
 {
 public:

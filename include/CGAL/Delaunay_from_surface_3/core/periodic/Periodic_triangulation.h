@@ -109,32 +109,8 @@ private:
     m_leaves.request_layer();
     for (const Leaf_copy& copy : m_leaves.take_requested())
       m_leaves.visit_points(copy.leaf, [&](std::size_t i) { source.add(i, copy.shift); });
-    Beginning beginning(m_observer);
-    return build_by<Vertex, Insert>(source, options, beginning, m_executor);
+    return build_by<Vertex, Insert>(source, options, m_observer, m_executor);
   }
-
-  // Tells an observer all but that the insertions end, since others follow.
-  struct Beginning final : Observer
-  {
-    explicit Beginning(Observer& o)
-      : observer(o)
-    {
-    }
-
-    void phase_begins(Surface_insertion_phase phase, std::size_t number) override
-    {
-      if (phase != Surface_insertion_phase::FINISH)
-        observer.phase_begins(phase, number);
-    }
-    void notice(Surface_insertion_notice notice, const char* reason) override
-    {
-      observer.notice(notice, reason);
-    }
-    bool go_further(std::size_t inserted) override { return observer.go_further(inserted); }
-    bool follows_points() const override { return observer.follows_points(); }
-
-    Observer& observer;
-  };
 
   static std::vector<double> positions_of(const Box& box)
   {

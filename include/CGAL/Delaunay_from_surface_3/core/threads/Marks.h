@@ -11,6 +11,7 @@
 // (Dekker's handshake; Dijkstra 1965).
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
@@ -18,9 +19,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
-#include <new>
+#include <cstring>
 #include <vector>
 
 namespace CGAL {
@@ -40,34 +39,35 @@ public:
       ++m_shift;
   }
 
-  // Makes room for n cells; no mark is set. No other worker may run.
+  // Makes room for n cells. No other worker may run.
   void reset(std::size_t n)
   {
-    m_bytes.reset(); // first, so that both are never allocated
-    m_bytes.reset(static_cast<std::uint8_t*>(std::calloc((n << m_shift) + 8, 1)));
-    if (m_bytes == nullptr)
-      throw std::bad_alloc();
+    deallocate(); // first, so that both are never allocated
+    m_bytes.reserve(n << m_shift, 0);
   }
 
-  void deallocate() { m_bytes.reset(); }
+  // Clears the marks of the cells first, …, last - 1, which have none before. Several workers may call
+  // it, each for cells of its own.
+  void clear(std::size_t first, std::size_t last)
+  {
+    m_bytes.touch(first << m_shift, last << m_shift);
+    std::memset(m_bytes.data() + (first << m_shift), 0, (last - first) << m_shift);
+  }
+
+  void deallocate() { m_bytes.deallocate(); }
 
   std::uint8_t& mark(std::size_t cell, unsigned worker)
   {
-    return m_bytes.get()[(cell << m_shift) + worker];
+    return m_bytes[(cell << m_shift) + worker];
   }
 
   unsigned shift() const { return m_shift; } // logarithm of the number of bytes per cell
-  const std::uint8_t* bytes() const { return m_bytes.get(); }
-  std::uint8_t* bytes() { return m_bytes.get(); }
+  const std::uint8_t* bytes() const { return m_bytes.data(); }
+  std::uint8_t* bytes() { return m_bytes.data(); }
 
 private:
-  struct Free
-  {
-    void operator()(std::uint8_t* bytes) const { std::free(bytes); }
-  };
-
   unsigned m_shift = 1; // a cell has at least two marks
-  std::unique_ptr<std::uint8_t[], Free> m_bytes;
+  Page_array<std::uint8_t> m_bytes;
 };
 
 // Returns the marks of a cell, except one worker's, as one number: 0 if no other worker has the
@@ -175,7 +175,10 @@ public:
     constexpr std::size_t block = 256;
     const std::size_t first = m_next.fetch_add(block, std::memory_order_relaxed);
     const std::size_t last = (std::min)(first + block, m_complex.capacity());
+    if (first >= last)
+      return false;
     m_complex.touch_cells(first, last);
+    m_marks.clear(first, last);
     for (std::size_t c = last; c-- > first;) {
       for (unsigned k = 0; k < 4; ++k) {
         store_relaxed(m_complex.cell(c).v[k], Id(k == 0 ? Complex::dead : 0));
@@ -183,7 +186,7 @@ public:
       }
       free_cells.push_back(Id(c));
     }
-    return first < last;
+    return true;
   }
 
   // Makes room for n cells, or as many as are allowed, all of them available. No worker may run.
@@ -193,6 +196,7 @@ public:
     m_complex.make_room(n);
     m_marks.reset(m_complex.capacity());
     m_next = (std::max)(used, m_complex.cells_end());
+    m_marks.clear(0, m_next);
   }
 
   // Tells the complex how many cells are handed out. No worker may run.

@@ -116,9 +116,9 @@ private:
 // These rules give the number of workers of a chunk, and of the points that they take at a time.
 struct Parallel_rules
 {
-  std::size_t first_points = 2000;     // until so many are inserted, one worker works
-  std::size_t points_per_worker = 500; // at least, in a chunk
-  std::size_t batch = 256;
+  std::size_t first_points = 500;      // until so many are inserted, one worker works
+  std::size_t points_per_worker = 200; // at least, in a chunk
+  std::size_t batch = 64;
 };
 
 // A Worker inserts points beside others; tests use other workers.
