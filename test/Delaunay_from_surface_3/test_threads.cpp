@@ -226,7 +226,7 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_found_early)
                                               CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST((tr == plain));
     BOOST_TEST(visitor.asked_before_replaced > 0u);
-    BOOST_TEST(visitor.asked_before_replaced < 20u);
+    BOOST_TEST(visitor.asked_before_replaced < 80u); // batches of 64 points
   });
 }
 
