@@ -51,7 +51,12 @@ public:
   void clear(std::size_t first, std::size_t last)
   {
     m_bytes.touch(first << m_shift, last << m_shift);
-    std::memset(m_bytes.data() + (first << m_shift), 0, (last - first) << m_shift);
+    if constexpr (
+        is_watched) // a worker that withdraws may read the mark of a cell that is being written
+      for (std::size_t b = first << m_shift; b < last << m_shift; ++b)
+        store_relaxed(m_bytes[b], std::uint8_t(0));
+    else
+      std::memset(m_bytes.data() + (first << m_shift), 0, (last - first) << m_shift);
   }
 
   void deallocate() { m_bytes.deallocate(); }
