@@ -7,7 +7,7 @@ compare_with_plain, count_instructions.py and measure_single_calls.py wrote."""
 
 import statistics
 
-from manual_tables import cell, range_of, table
+from manual_tables import cell, measured, range_of, table
 from speed_tables import gain, surface_of, two
 
 EMST = "Euclidean minimum spanning tree"
@@ -127,6 +127,59 @@ def genus_50(small, large, calls):
             f'\n\nThe default is {two(gain(whole, "default"))} times as fast as plain %CGAL here (`{calls["name"]}.json`). In the '
             f'paper\'s random order the same updates take {range_of(longer, "{:.1f}")} times as long as in plain %CGAL\'s, on all '
             "surfaces of these files, since successive points lie far apart in memory.")
+
+
+CONTROL = {  # method: order, start; all but the last by CGAL's insertion
+    "random-last": ("random", "the point inserted last"),
+    "random-insert": ("random", "`insert(p)` without a hint"),
+    "random-hilbert": ("random", "the nearest inserted point along a Hilbert curve"),
+    "random-fast": ("random", "%CGAL's hierarchy, `Fast_location`"),
+    "tracing": ("the paper's", "the trace"),
+    "tracing-hilbert": ("the paper's sorted rounds", "the trace"),
+    "nets": ("nets of the surface", "the point they name"),
+    "default": ("the default", "the point it names, in the core")}
+
+
+def times_of_plain(report):
+    """{surface: {method: its CPU time / plain CGAL's}}"""
+    found = {}
+    for result in report["results"]:
+        times = {m["method"]: m["median_cpu"] for m in result["methods"] if "left_out" not in m}
+        found[result["surface"]] = {method: time / times["plain"] for method, time in times.items()}
+    return found
+
+
+def control(small, large):
+    """What orders and starts cost beside plain CGAL."""
+    of_small, of_large = list(times_of_plain(small).values()), times_of_plain(large)
+    rows = []
+    for method, (order, start) in CONTROL.items():
+        shares = [times[method] for times in of_small]
+        rows.append([order, start, two(statistics.geometric_mean(shares)), f"{two(min(shares))} to {two(max(shares))}",
+                     *(two(times[method]) for times in of_large.values())])
+    return measured(small, large) + "\n\n" + table(
+        ["order", "start", f"{len(of_small)} surfaces of 64k", "range", *(f"{surface}, 256k" for surface in of_large)], rows, 2)
+
+
+def control_of_readme(small, large):
+    """One sentence."""
+    of_large = times_of_plain(large).values()
+
+    def shares(method, other="plain"):
+        return range_of([times[method] / times[other] for times in of_large], "{:.1f}")
+
+    return (f"In a random order, traces make %CGAL's insertion {shares('random-last', 'tracing')} times as fast as walks from the last "
+            f"point, and {shares('random-fast', 'tracing')} times as fast as %CGAL's hierarchy (`{large['name']}.json`), as the "
+            f"paper claims. In plain %CGAL's own order walks are short without a surface; in the paper's, the insertion takes "
+            f"{shares('tracing')} times as long, and {shares('tracing-hilbert')} times with sorted rounds.").replace("%CGAL", "CGAL")
+
+
+def tracing(small, large):
+    """One sentence, at the table of traits."""
+    found = [times["tracing-hilbert"] for times in times_of_plain(small).values()]
+    of_large = [times["tracing-hilbert"] for times in times_of_plain(large).values()]
+    return (f"`CGAL::Tracing_traits_3` takes {range_of(found, '{:.1f}')} times as long as plain %CGAL on {len(found)} surfaces of 64k, "
+            f"{range_of(of_large, '{:.2f}')} times on {len(of_large)} of 256k (\\ref dfs_paper_control).")
 
 
 def rounds(report):

@@ -71,6 +71,22 @@ def more_threads(report):
             f"{most[8]:.1f} with 8, and {most[64]:.0f} with 64 (`{report['name']}`).")
 
 
+def sixteen_cores(report):
+    """Seconds of one surface by one thread and by 16."""
+    (result,) = report["results"]
+    times = result["times"]
+    rows = [["plain %CGAL, `Parallel_tag`", times["plain"]["median_wall"], times["plain_parallel"]["median_wall"]],
+            ["this package, into %CGAL's triangulation", *(times[f"threads_{n}"]["median_wall"] for n in (1, 16))],
+            ["this package, arrays", *(times[f"arrays_{n}"]["median_wall"] for n in (1, 16))]]
+    of_peers = {}
+    for peer in peers_of(result):
+        of_peers.setdefault(library_of(peer), {})[peer["threads"]] = peer["median_wall"]
+    rows += [[name, of[1], of[16]] for name, of in of_peers.items()]
+    return (f'{measured(report)} Seconds for {result["points"]} points of the {result["surface"]}:\n\n' +
+            table(["program", "1 thread", "16 threads", "gain"],
+                  [[name, two(one), two(many), two(one / many)] for name, one, many in rows]))
+
+
 SMALL_SIZES = (10, 100, 1000, 3000)
 
 
