@@ -113,16 +113,16 @@ inline std::size_t size_of_block(std::size_t n, std::size_t blocks)
   return (n + blocks - 1) / blocks;
 }
 
-// Calls body(first, last, block) for so many blocks of 0, …, n-1, which may be empty. When all are
-// done, throws the exception of the first block that has thrown.
-template <class Body>
-void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks, const Body& body)
+// Does what for_each_block() does, for bodies of all types: its code is there once.
+inline void for_each_block_of_any(const Executor& executor, std::size_t n, std::size_t blocks,
+                                  void (*call)(const void*, std::size_t, std::size_t, std::size_t),
+                                  const void* body)
 {
   std::vector<std::exception_ptr> errors(blocks);
   call_each(executor, blocks, [&](std::size_t b) {
     try {
       const std::size_t size = size_of_block(n, blocks);
-      body((std::min)(n, b * size), (std::min)(n, (b + 1) * size), b);
+      call(body, (std::min)(n, b * size), (std::min)(n, (b + 1) * size), b);
     } catch (...) {
       errors[b] = std::current_exception();
     }
@@ -130,6 +130,17 @@ void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks,
   for (const std::exception_ptr& error : errors)
     if (error)
       std::rethrow_exception(error);
+}
+
+// Calls body(first, last, block) for so many blocks of 0, …, n-1, which may be empty. When all are
+// done, throws the exception of the first block that has thrown.
+template <class Body>
+void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks, const Body& body)
+{
+  const auto call = [](const void* any, std::size_t first, std::size_t last, std::size_t b) {
+    (*static_cast<const Body*>(any))(first, last, b);
+  };
+  for_each_block_of_any(executor, n, blocks, call, &body);
 }
 
 // Counts the steps of a long loop, and calls the executor's interruption_point() now and then.
