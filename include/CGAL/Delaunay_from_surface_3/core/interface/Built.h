@@ -243,8 +243,8 @@ public:
   virtual void notice(Surface_insertion_notice, const char* /* reason */) {}
   virtual void insertion_ends(const Insertion_counts&) {}
 
-  // Is asked every 256 points or more often, with the number of points inserted so far, which many threads
-  // only estimate; `false` stops the work.
+  // Is asked every 256 points or more often, with the number of points inserted so far, which many
+  // threads only estimate; `false` stops the work.
   virtual bool go_further(std::size_t /* inserted */) { return true; }
 
   // Returns true if it wants to be told of LOCATION and UPDATE, point by point; many threads do not

@@ -231,8 +231,8 @@ public:
   // Returns true if no coordinate is rounded, as only coordinates that become smaller can be.
   bool is_exact() const { return m_is_exact; }
 
-  // Compact_complex::exact_size() of what was scaled. 0 if the fifth power of the scaled unit, which
-  // divides a determinant, might underflow, as weights that are huge can make it.
+  // Compact_complex::exact_size() of what was scaled. It is 0 if huge weights make the scaled unit so
+  // small that determinants, which are multiples of its fifth power, might underflow.
   double exact_size() const
   {
     const double unit = std::ldexp(m_factor, m_unit);

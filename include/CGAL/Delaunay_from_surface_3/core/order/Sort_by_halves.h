@@ -128,10 +128,11 @@ private:
         box.add(given.point(i));
       boxes[b] = box;
     });
-    for (const Box& box : boxes) {
-      boxes[0].add(box.low);
-      boxes[0].add(box.high);
-    }
+    for (const Box& box : boxes)
+      if (!box.is_empty()) {
+        boxes[0].add(box.low);
+        boxes[0].add(box.high);
+      }
     return boxes[0];
   }
 
@@ -222,7 +223,7 @@ private:
     return largest <= ends[parts] / 4;
   }
 
-  // Puts the points into parts of m_items, in their order.
+  // Puts the points into parts of m_items, in their order. Returns false if the sample is not like them.
   bool put_in_parts(const Given& given, const Box& box, std::ptrdiff_t* ends)
   {
     Cut cuts[parts];

@@ -51,8 +51,7 @@ public:
   void clear(std::size_t first, std::size_t last)
   {
     m_bytes.touch(first << m_shift, last << m_shift);
-    if constexpr (
-        is_watched) // a worker that withdraws may read the mark of a cell that is being written
+    if constexpr (is_watched) // a worker that withdraws may read a mark meanwhile
       for (std::size_t b = first << m_shift; b < last << m_shift; ++b)
         store_relaxed(m_bytes[b], std::uint8_t(0));
     else
