@@ -4,7 +4,7 @@
 
 """Makes a wheel, looks into it, installs it from its index into a fresh virtual environment, and runs its tests there.
 
-FOLDER names the folder for all that is made. The tests are those of test_module.py."""
+FOLDER names the folder for all that is made. The tests are those of test_module.py and of the kits, test_<kit>.py."""
 
 import os
 import re
@@ -73,8 +73,10 @@ def main():
     python = environment / "bin/python"
     subprocess.run([python, "-m", "pip", "install", "--index-url", index.as_uri(), "--only-binary", ":all:",
                     "--disable-pip-version-check", "delaunay-from-surface"], check=True)
-    tests = subprocess.run([python, "-B", HERE / "test_module.py", *sys.argv[1:]], cwd=FOLDER, check=False)
-    return tests.returncode
+    others = {"test_wheel.py", "test_dask.py"}
+    tests = sorted(file for file in HERE.glob("test_*.py") if file.name not in others)
+    codes = [subprocess.run([python, "-B", test, *sys.argv[1:]], cwd=FOLDER, check=False).returncode for test in tests]
+    return max(codes, key=abs)
 
 
 if __name__ == "__main__":
