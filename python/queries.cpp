@@ -6,6 +6,7 @@
 // points and simplices, whose numbers are checked when they are read.
 
 #include "Unlocked.h"
+#include "corners_in_box.h"
 #include "functions.h"
 #include "interruptible.h"
 #include "numpy_rows.h"
@@ -39,6 +40,7 @@ namespace {
 
 using python::array_from;
 using python::checked_copy;
+using python::In_box;
 using python::Index;
 using python::Numbers;
 using python::Point_of;
@@ -186,74 +188,6 @@ Numbers minimum_spanning_tree(const Points& points, const Numbers& simplices, st
   return array_from(std::move(tree), {number, 2});
 }
 
-// What a triangulation has in a periodic box beside points and simplices: the periods, infinite ones
-// where there are none, and the offsets of the corners.
-class In_box
-{
-public:
-  explicit In_box(const py::object& pair, const Rows& rows)
-    : In_box(pair.cast<std::pair<Lengths, Offsets>>(), rows)
-  {
-  }
-
-  const double* box() const { return m_box.data(); }
-  const std::int16_t* offsets() const { return m_offsets.data(); }
-
-private:
-  using Lengths = py::array_t<double, py::array::c_style | py::array::forcecast>;
-  using Offsets = py::array_t<std::int16_t, py::array::c_style | py::array::forcecast>;
-
-  In_box(std::pair<Lengths, Offsets>&& pair, const Rows& rows)
-    : m_box(std::move(pair.first))
-    , m_offsets(std::move(pair.second))
-  {
-    if (m_box.ndim() != 1 || m_box.shape(0) != 3)
-      throw py::value_error("box: expected three periods");
-    if (m_offsets.ndim() != 3 || std::size_t(m_offsets.shape(0)) != rows.size() ||
-        std::size_t(m_offsets.shape(1)) != rows.corners() || m_offsets.shape(2) != 3)
-      throw py::value_error("offsets: expected three for each corner of the simplices");
-  }
-
-  Lengths m_box;
-  Offsets m_offsets;
-};
-
-// Corners of simplices in a box, whose points are copied, with weights if there are any.
-template <bool has_weight>
-class Corners_in_box
-{
-public:
-  Corners_in_box(const Points& points, const double* weights, const In_box& in_box)
-    : m_periods(core::periods_of(in_box.box()))
-    , m_offsets(in_box.offsets())
-  {
-    const Point_of point_of = {python::Points_view(points)};
-    const auto n = std::size_t(points.shape(0));
-    m_points.reserve(size * n);
-    for (std::size_t i = 0; i < n; ++i) {
-      for (const double x : point_of(i)) {
-        m_points.push_back(x);
-        m_periods.are_scaled = m_periods.are_scaled && std::fabs(x) < 0x1p1000;
-      }
-      if (has_weight)
-        m_points.push_back(weights[i]);
-    }
-  }
-
-  // Corner k of simplex c, which is point i.
-  core::Copy_place<has_weight> operator()(std::size_t c, std::size_t k, std::size_t i) const
-  {
-    const std::int16_t* const offset = m_offsets + 12 * c + 3 * k;
-    return {m_points.data() + size * i, &m_periods, {offset[0], offset[1], offset[2]}};
-  }
-
-private:
-  static constexpr std::size_t size = has_weight ? 4 : 3;
-  std::vector<double> m_points;
-  core::Periods m_periods;
-  const std::int16_t* m_offsets;
-};
-
 // The simplices as those look at them who find points: with neighbours, or without.
 struct Simplices_of
 {
@@ -324,7 +258,8 @@ void measure(const Points& points, const Numbers& simplices, const py::object& i
         write);
   } else {
     const In_box of_simplices(in_box, rows);
-    measure_rows(rows, n, threads, Corners_in_box<false>(points, nullptr, of_simplices), write);
+    const python::Copies_of_points<false> copies(points, nullptr, of_simplices.box());
+    measure_rows(rows, n, threads, of_simplices.corners(copies), write);
   }
 }
 
@@ -390,7 +325,8 @@ void measure_weighted(const Points& points, const Weights& weights, const Number
         write);
   } else {
     const In_box of_simplices(in_box, rows);
-    measure_rows(rows, n, threads, Corners_in_box<true>(points, weight, of_simplices), write);
+    const python::Copies_of_points<true> copies(points, weight, of_simplices.box());
+    measure_rows(rows, n, threads, of_simplices.corners(copies), write);
   }
 }
 

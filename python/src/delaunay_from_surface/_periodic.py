@@ -18,7 +18,6 @@ from ._regular import CORNERS_OF_EDGES, Regular3
 from ._result import Delaunay3
 from ._types import ArrayLike, Box, Indices, Offsets, Places, Points, Radius, Reals, Truths
 
-Facets = Tuple[Indices, Indices, Indices, Indices, Indices]
 CORNERS_OF_FACETS = np.array([[1, 2, 3], [2, 0, 3], [0, 1, 3], [2, 1, 0]])
 
 
@@ -287,12 +286,8 @@ class Periodic3(Delaunay3):
     def alpha_complex(self, alpha: Radius) -> PeriodicAlphaComplex:  # type: ignore[override]
         """Return the simplices that have an empty ball of radius `alpha` or less through their corners, with all their faces, or
         with weights those that the weighted alpha complex has: as without a box, each once, with the offsets of its corners."""
-        found: Any = super().alpha_complex(alpha)  # whose corners are copies
-        points, offsets = self._copies[0]
-        triangles, edges = found.triangles, found.edges
-        vertices = points[found.vertices] if len(found) > 3 else np.unique(self.simplices)
-        return PeriodicAlphaComplex(found.simplices, points[triangles], offsets[triangles] - offsets[triangles[:, :1]],
-                                    points[edges], offsets[edges] - offsets[edges[:, :1]], vertices)
+        simplices, ((vertices, _), (edges, of_edges), (triangles, of_triangles)) = self._faces_up_to(alpha)
+        return PeriodicAlphaComplex(simplices, triangles, of_triangles, edges, of_edges, vertices[:, 0])
 
     def minimum_spanning_tree(self) -> Indices:
         """Refused: edges are not determined by indices of points here."""
@@ -304,41 +299,6 @@ class Periodic3(Delaunay3):
 
     def _not_in_box(self, name: str, instead: str) -> NoReturn:
         raise ValueError(f"{name}: the points are in a periodic box: {instead}")
-
-    @cached_property
-    def _copies(self) -> Tuple[Tuple[Indices, Indices], Facets]:
-        """Copies of points, with their offsets: the corners of each tetrahedron, and those beyond facets. And each facet once, as
-        `_facets` returns it."""
-        points, offsets = self.simplices.reshape(-1), self.offsets.reshape(-1, 3).astype(np.int32)
-        own, across = np.arange(len(points)), np.asarray(self.neighbors).reshape(-1)
-        _, rank = _numbered(np.concatenate([points[:, None], offsets], axis=1))
-        facets = (own // 4 * 4)[:, None] + np.array([[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]])[own % 4]
-        facets = np.take_along_axis(facets, np.argsort(rank[facets], axis=1), axis=1)
-        moved = offsets[facets[:, 1:]] - offsets[facets[:, :1]]
-        key = np.concatenate([points[facets], moved.reshape(-1, 6)], axis=1)  # the same for all copies
-        other = np.full(len(points), -1)
-        for k in range(4):
-            there = 4 * across.astype(np.int64) + k
-            is_same = (across >= 0) & (there != own) & (key == key[there]).all(axis=1)
-            other[is_same] = there[is_same]
-        once = (across < 0) | (own < other)
-        beyond = other[once]
-        moved = offsets[beyond] - offsets[facets[beyond, 0]] + offsets[facets[once, 0]]
-        copies = (np.concatenate([points, points[beyond]]), np.concatenate([offsets, moved]))
-        numbers_beyond = len(points) + np.arange(len(beyond))
-        return copies, (facets[once], own[once], numbers_beyond, own[once] // 4, across[once])
-
-    def _facets(self) -> Facets:
-        return self._copies[1]
-
-    @property
-    def _places(self) -> Reals:
-        return self._moved(*self._copies[0])
-
-    def _codes(self, faces: Indices) -> Places:
-        points, offsets = self._copies[0]
-        columns = np.concatenate([points[faces], (offsets[faces[:, 1:]] - offsets[faces[:, :1]]).reshape(len(faces), -1)], axis=1)
-        return _numbered(columns)[1]
 
     @property
     def _hull(self) -> Tuple[Any, Any]:
@@ -387,7 +347,3 @@ class PeriodicRegular3(Periodic3, Regular3):  # type: ignore[misc]
         at_facet = (CORNERS_OF_EDGES[None] != corner[:, None, None]).all(axis=2)
         areas[place.reshape(-1, 6)[simplex][at_facet]] = -1
         return PeriodicPowerFacets(ends, areas, offsets)
-
-    @property
-    def _weights_of_places(self) -> Reals:
-        return self._weights[self._copies[0][0]]

@@ -6,7 +6,6 @@
 
 from __future__ import annotations
 
-import numbers
 from functools import cached_property
 from typing import Any, NamedTuple, NoReturn, Tuple
 
@@ -126,96 +125,23 @@ class Regular3(Delaunay3):
 
     def alpha_complex(self, alpha: Radius) -> WeightedAlphaComplex:  # type: ignore[override]
         """Return the weighted alpha complex: the simplices with an empty orthogonal sphere whose squared radius is at most
-        the square of `alpha`, and all their faces. In floating point, but no face has a larger value than what it bounds.
+        the square of `alpha`, and all their faces. Which sphere is empty is decided exactly; radii are rounded, but no face has a
+        larger one than what it bounds.
 
         It has the shape of the union of balls whose squared radii are the weights plus the square of `alpha`: with
         `alpha=0` that of the balls given by the weights. An empty orthogonal sphere has the same power to all corners, and
         no less to any other point.
         """
-        self._needs_space("alpha_complex")
-        if not isinstance(alpha, numbers.Real) or not alpha >= 0:
-            raise ValueError(f"alpha_complex: expected a radius, got {alpha!r}")
-        places, weights = self._places, self._weights_of_places
-        exponent = self._exponent(places, weights)
-        points, weights = np.ldexp(places, -exponent), np.ldexp(np.ldexp(weights, -exponent), -exponent)
-        with np.errstate(all="ignore"):
-            most = np.ldexp(float(alpha), -exponent) ** 2
-            radii = self._squared_power_radii(exponent)
-            triangles, of_triangles = self._weighted_triangles(points, weights, radii)
-            edges, of_edges = self._weighted_edges(points, weights, triangles, of_triangles)
-            vertices, of_vertices = self._weighted_vertices(points, weights, edges, of_edges)
-        return WeightedAlphaComplex(np.flatnonzero(radii <= most).astype(np.int32), triangles[of_triangles <= most],
-                                    edges[of_edges <= most], vertices[of_vertices <= most])
+        simplices, ((vertices, _), (edges, _), (triangles, _)) = self._faces_up_to(alpha)
+        return WeightedAlphaComplex(simplices, triangles, edges, vertices[:, 0])
 
-    @property
-    def _weights_of_places(self) -> Reals:
-        return self._weights
-
-    def _squared_power_radii(self, exponent: int) -> Reals:
-        """Where lengths are divided by 2 to the power."""
-        points, box = np.ldexp(np.asarray(self.points, dtype=float), -exponent), self._in_box
-        weights = np.ldexp(np.ldexp(self._weights, -exponent), -exponent)
+    def _squares_for(self, alpha: float) -> Tuple[int, Reals]:
+        """The exponent is such that squares of coordinates, and weights, neither overflow nor vanish."""
+        box, places = self._in_box, np.asarray(self.points, dtype=float)
+        exponent = int(np.frexp(max(np.max(np.abs(places)), np.sqrt(np.max(np.abs(self._weights)))))[1])
+        points, weights = np.ldexp(places, -exponent), np.ldexp(np.ldexp(self._weights, -exponent), -exponent)
         in_box = None if box is None else (np.ldexp(box[0], -exponent), box[1])
-        return _core.power_spheres(points, weights, self.simplices, in_box, self._threads)[1]
-
-    @staticmethod
-    def _exponent(points: Reals, weights: Reals) -> int:
-        """That of a power of 2 by which lengths are divided, so that their squares neither overflow nor vanish."""
-        largest = max(np.max(np.abs(points)), np.sqrt(np.max(np.abs(weights))))
-        return int(np.frexp(largest)[1])
-
-    def _weighted_triangles(self, points: Reals, weights: Reals, radii: Reals) -> Tuple[Indices, Reals]:
-        """Each triangle once, and the squared radius of its smallest orthogonal sphere that is empty."""
-        triangles, apex, beyond, simplex, across = self._facets()
-        a, u, w = points[triangles[:, 0]], points[triangles[:, 1]], points[triangles[:, 2]]
-        u, w = u - a, w - a
-        uu, uw, ww = (np.einsum("ij,ij->i", *pair) for pair in ((u, u), (u, w), (w, w)))
-        of_u, of_w = (square + (weights[triangles[:, 0]] - weights[triangles[:, k]]) for k, square in ((1, uu), (2, ww)))
-        normal = np.cross(u, w)
-        twice = 2 * np.einsum("ij,ij->i", normal, normal)
-        center = ((of_u * ww - of_w * uw) / twice)[:, None] * u + ((of_w * uu - of_u * uw) / twice)[:, None] * w
-        own = np.einsum("ij,ij->i", center, center) - weights[triangles[:, 0]]
-        power = self._powers(points, weights, a + center)
-        is_free = power(apex) >= own
-        is_free &= (across < 0) | (power(beyond) >= own)
-        of_simplices = np.append(radii, np.inf)
-        larger = np.minimum(of_simplices[simplex], of_simplices[across])
-        return triangles, np.where(is_free, np.fmin(own, larger), larger)
-
-    def _weighted_edges(self, points: Reals, weights: Reals, triangles: Indices, radii: Reals) -> Tuple[Indices, Reals]:
-        """The same for edges."""
-        pairs = np.concatenate([triangles[:, [0, 1]], triangles[:, [0, 2]], triangles[:, [1, 2]]])
-        third = np.concatenate([triangles[:, 2], triangles[:, 1], triangles[:, 0]])
-        a, u = points[pairs[:, 0]], points[pairs[:, 1]] - points[pairs[:, 0]]
-        uu = np.einsum("ij,ij->i", u, u)
-        share = (uu + (weights[pairs[:, 0]] - weights[pairs[:, 1]])) / (2 * uu)
-        own = share * share * uu - weights[pairs[:, 0]]
-        is_free = self._powers(points, weights, a + share[:, None] * u)(third) >= own
-        return self._merged(pairs, own, is_free, np.tile(radii, 3))
-
-    def _weighted_vertices(self, points: Reals, weights: Reals, edges: Indices, radii: Reals) -> Tuple[Indices, Reals]:
-        """The same for vertices."""
-        vertex, other = np.concatenate([edges, edges[:, ::-1]]).T
-        own = -weights[vertex]
-        is_free = self._powers(points, weights, points[vertex])(other) >= own
-        vertices, values = self._merged(vertex[:, None], own, is_free, np.tile(radii, 2))
-        return vertices[:, 0], values
-
-    def _merged(self, faces: Indices, own: Reals, is_free: Any, larger: Reals) -> Tuple[Indices, Reals]:
-        """Each face once: its own value where all are free that have it, but none above the least of what it bounds."""
-        codes = self._codes(faces)
-        order = np.argsort(codes, kind="stable")
-        first = np.flatnonzero(np.append(True, codes[order][1:] != codes[order][:-1]))
-        least = np.minimum.reduceat(larger[order], first)
-        all_free = np.logical_and.reduceat(is_free[order], first)
-        return faces[order[first]], np.where(all_free, np.fmin(own[order[first]], least), least)
-
-    @staticmethod
-    def _powers(points: Reals, weights: Reals, places: Reals) -> Any:
-        def power(of: Indices) -> Reals:
-            d = points[of] - places
-            return np.einsum("ij,ij->i", d, d) - weights[of]
-        return power
+        return exponent, _core.power_spheres(points, weights, self.simplices, in_box, self._threads)[1]
 
     def _refuse(self, name: str, instead: str) -> NoReturn:
         raise ValueError(f"{name}: the points have weights: {instead}")

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import numbers
 from functools import cached_property
-from typing import Any, NamedTuple, Optional, SupportsIndex, Tuple
+from typing import Any, List, NamedTuple, Optional, SupportsIndex, Tuple
 
 import numpy as np
 
 from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads
-from ._types import ArrayLike, Coordinates, InBox, Indices, Lists, Places, Points, Radius, Reals, Spheres, Truths
+from ._types import ArrayLike, Coordinates, InBox, Indices, Lists, Points, Radius, Reals, Spheres, Truths
 
 LEVELS = ("links", "euler", "orientation", "delaunay")
 NAMES = {3: "tetrahedra", 2: "triangles", 1: "segments", 0: "vertices", -1: "simplices"}
@@ -300,19 +300,14 @@ class Delaunay3:
 
     def alpha_complex(self, alpha: Radius) -> AlphaComplex:
         """Return the simplices that have an empty ball of radius `alpha` or less through their corners, with all
-        their faces: a complex for any `alpha`. In floating point, but no face has a larger radius than what it bounds.
+        their faces: a complex for any `alpha`. Which ball is empty is decided exactly; radii are rounded, but no face has a
+        larger one than what it bounds.
 
-        Its tetrahedra are those with a circumradius of at most `alpha`. `alpha` is a radius, not a square.
+        Its tetrahedra are those with a circumradius of at most `alpha`. `alpha` is a radius, not a square. For all radii at
+        once see `filtration`.
         """
-        self._needs_space("alpha_complex")
-        if not isinstance(alpha, numbers.Real) or not alpha >= 0:
-            raise ValueError(f"alpha_complex: expected a radius, got {alpha!r}")
-        points = self._places
-        with np.errstate(all="ignore"):
-            triangles, radii_of_triangles = self._triangles(points)
-            edges, radii_of_edges = self._edges(points, triangles, radii_of_triangles)
-        return AlphaComplex(np.flatnonzero(self.circumradii <= alpha).astype(np.int32),
-                            triangles[radii_of_triangles <= alpha], edges[radii_of_edges <= alpha])
+        simplices, (_, (edges, _), (triangles, _)) = self._faces_up_to(alpha)
+        return AlphaComplex(simplices, triangles, edges)
 
     def minimum_spanning_tree(self) -> Indices:
         """Return a Euclidean minimum spanning tree of the vertices: (k, 2) int32, from the shortest edge to the longest.
@@ -362,62 +357,25 @@ class Delaunay3:
         array = xi if len(shape) == 2 or is_refused else np.reshape(xi, (-1, 3))
         return _core.array_of_points(array, "xi"), shape[:-1]
 
-    @property
-    def _places(self) -> Reals:
-        """Those that faces in alpha complexes have as corners, by number."""
-        return np.asarray(self.points, dtype=float)
+    def _faces_up_to(self, alpha: Radius) -> Tuple[Indices, List[Tuple[Indices, Indices]]]:
+        """The tetrahedra whose spheres have at most this radius; and vertices, edges and triangles, each with offsets."""
+        self._needs_space("alpha_complex")
+        if not isinstance(alpha, numbers.Real) or not alpha >= 0:
+            raise ValueError(f"alpha_complex: expected a radius, got {alpha!r}")
+        with np.errstate(over="ignore", under="ignore"):
+            exponent, squares = self._squares_for(float(alpha))
+            most = np.ldexp(float(alpha), -exponent) ** 2
+        faces = self._faces(squares, exponent)[:3]
+        return np.flatnonzero(squares <= most).astype(np.int32), [
+            (rows[values <= most], rows if offsets is None else offsets[values <= most]) for rows, offsets, values, _ in faces]
 
-    def _codes(self, faces: Indices) -> Places:
-        """Equal for faces, of one or two corners, that are the same."""
-        return faces[:, 0].astype(np.int64) * self.npoints + faces[:, -1]
+    def _squares_for(self, alpha: float) -> Tuple[int, Reals]:
+        """An exponent, and the squared radii of the tetrahedra's spheres over 4 to its power: they can be compared with the
+        square of `alpha`, as what is too small or too large for a square is much smaller or larger than that."""
+        exponent = int(np.frexp(alpha)[1]) if 0 < alpha < np.inf else -1000 if alpha == 0 else 0
+        return exponent, np.square(np.ldexp(self.circumradii, -exponent))
 
-    def _triangles(self, points: Reals) -> Tuple[Indices, Reals]:
-        """Each triangle once, and the radius of its smallest ball that is empty."""
-        triangles, apex, beyond, simplex, across = self._facets()
-        exponent, u, w, above, below = self._scaled(2, *(points[k] - points[triangles[:, 0]] for k in (
-            triangles[:, 1], triangles[:, 2], apex, beyond)))
-        normal = np.cross(u, w)
-        uu, uw, ww, nn = (np.einsum("ij,ij->i", *pair) for pair in ((u, u), (u, w), (w, w), (normal, normal)))
-        twice = 2 * nn
-        offset = (ww * (uu - uw) / twice)[:, None] * u + (uu * (ww - uw) / twice)[:, None] * w
-        radii = np.linalg.norm(offset, axis=1)
-        is_free = np.linalg.norm(above - offset, axis=1) >= radii
-        is_free &= (across < 0) | (np.linalg.norm(below - offset, axis=1) >= radii)
-        radii_of_simplices = np.append(self.circumradii, np.inf)
-        larger = np.minimum(radii_of_simplices[simplex], radii_of_simplices[across])
-        return triangles, np.where(is_free, np.fmin(np.ldexp(radii, exponent), larger), larger)
-
-    def _facets(self) -> Tuple[Indices, Indices, Indices, Indices, Indices]:
-        """Each triangle once, the vertices on its two sides, and the simplices; the second is -1 outside, and its vertex
-        then means nothing."""
-        simplex = np.repeat(np.arange(self.nsimplex), 4)
-        corner = np.tile(np.arange(4), self.nsimplex)
-        across = np.asarray(self.neighbors).reshape(-1)
-        once = across < simplex
-        simplex, corner, across = simplex[once], corner[once], across[once]
-        others = np.array([[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]])
-        triangles = np.sort(self.simplices[simplex[:, None], others[corner]], axis=1)
-        back = np.argmax(self.neighbors[across] == simplex[:, None], axis=1)
-        return triangles, self.simplices[simplex, corner], self.simplices[across, back], simplex, across
-
-    @staticmethod
-    def _scaled(number: int, *vectors: Reals) -> Tuple[Reals, ...]:
-        """Exponents, and the vectors over 2 to their power: squares of the first ones neither overflow nor vanish."""
-        exponent = np.frexp(np.max(np.abs(vectors[:number]), axis=(0, 2)))[1]
-        return (exponent, *(np.ldexp(v, -exponent[:, None]) for v in vectors))
-
-    def _edges(self, points: Reals, triangles: Indices, radii: Reals) -> Tuple[Indices, Reals]:
-        """The same for edges."""
-        pairs = np.concatenate([triangles[:, [0, 1]], triangles[:, [0, 2]], triangles[:, [1, 2]]])
-        third = np.concatenate([triangles[:, 2], triangles[:, 1], triangles[:, 0]])
-        codes = self._codes(pairs)
-        order = np.argsort(codes, kind="stable")
-        first = np.flatnonzero(np.append(True, codes[order][1:] != codes[order][:-1]))
-        edges = pairs[order[first]]
-        exponent, edge, spoke = self._scaled(1, *(points[k] - points[pairs[:, 0]] for k in (pairs[:, 1], third)))
-        half = np.linalg.norm(edge, axis=1) / 2
-        is_free = np.linalg.norm(spoke - edge / 2, axis=1) >= half
-        half = np.ldexp(half, exponent)[order[first]]
-        larger = np.minimum.reduceat(np.tile(radii, 3)[order], first)
-        is_free = np.logical_and.reduceat(is_free[order], first)
-        return edges, np.where(is_free, np.fmin(half, larger), larger)
+    def _faces(self, values: Optional[Reals], exponent: int, threads: Optional[int] = None, has_values: bool = True) -> Any:
+        """The simplices of each dimension with offsets, values over 4 to the power, and numbers of those of the largest."""
+        return _core.filtration(self.points, self.__dict__.get("_weights"), self.simplices, self._in_box, values, has_values,
+                                exponent, self._threads if threads is None else threads)

@@ -160,10 +160,10 @@ struct Bounded_rows
         rows[k] = {difference(k, 0), difference(k, 1), difference(k, 2)};
   }
 
-  // Returns whether the error of n is negligible beside d; false if a number is not finite.
-  static bool is_known(const Number& n, const Number& d)
+  // Returns whether the error of n is less than this share of d; false if a number is not finite.
+  static bool is_known(const Number& n, const Number& d, double share = 0x1p-44)
   {
-    return Numbers::error * n.size + 0x1p-1000 < 0x1p-44 * std::abs(Numbers::high(d.value));
+    return Numbers::error * n.size + 0x1p-1000 < share * std::abs(Numbers::high(d.value));
   }
   static Scaled_double rounded(const Number& n) { return {Numbers::high(n.value), 0}; }
 };
@@ -175,7 +175,7 @@ struct Integer_rows : Big_differences<N, Place>
   using Number = Big_integer;
   using Big_differences<N, Place>::Big_differences;
 
-  static bool is_known(const Number&, const Number&) { return true; }
+  static bool is_known(const Number&, const Number&, double = 0) { return true; }
   static Scaled_double rounded(const Number& n)
   {
     Scaled_double result;

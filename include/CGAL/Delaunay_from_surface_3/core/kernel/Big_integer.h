@@ -6,9 +6,9 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_BIG_INTEGER_H
 
 // These integers are as large as need be, for the determinants that no other stage can decide. All
-// doubles are integers times the least positive one, 2^-1074, so differences have at most 2099
-// bits, and the determinant of the sphere, of degree 5 with a few terms, at most 10,504. The
-// arithmetic is of the schoolbook kind (Knuth 1969), on digits, least first, and a sign. The digits
+// doubles are integers times the least positive one, 2^-1074, so differences have at most 2099 bits,
+// the determinant of the sphere, of degree 5, at most 10,504, and a squared radius, of degree 8, 16,812.
+// The arithmetic is of the schoolbook kind (Knuth 1969), on digits, least first, and a sign. The digits
 // are in the object's own memory: nothing is allocated, and only digits in use are touched.
 //
 // Cost: O(s t) for a product, where s counts the digits of one factor that are not 0, and t the
@@ -58,7 +58,7 @@ class Big_integer
   using Two_digits = std::uint64_t;
 #endif
   static constexpr int digit_bits = std::numeric_limits<Digit>::digits;
-  static constexpr int most_digits = 10504 / digit_bits + 6; // sizes of factors are rounded up
+  static constexpr int most_digits = 16800 / digit_bits + 8; // sizes of factors are rounded up
 
 public:
   // Makes 0.
