@@ -2,7 +2,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""What uses gain, from what measure_consumers, measure_sources, measure_gaussians, measure_moved,
+"""What uses gain, from what measure_consumers, measure_spanning_trees, measure_sources, measure_gaussians, measure_moved,
 measure_python.py, measure_tiles_peers.py and measure_compile_time.py wrote; and which parts have an inside, by
 inside_of_parts.py."""
 
@@ -28,6 +28,18 @@ def uses(report):
     rows = [[title, two(found[name]["median_plain_cpu"]), f'{found[name]["median_ratio"]:.2f}']
             for name, title in USES.items() if name in found]
     return "\n\n".join([measured(report), table(["use", "plain %CGAL, s", "gain"], rows)])
+
+
+def spanning_trees(report):
+    """What trees cost beside the triangulation of this package, which is 1."""
+    rows = []
+    for r in report["results"]:
+        whole = r["median_triangulation_cpu"]
+        rows.append([r["surface"], thousands(r["points"]), two(whole), two(r["median_finite_edges_cpu"]),
+                     *(two(r[f"median_{name}_cpu"]) for name in ("tree", "tree_of_arrays", "contains")),
+                     f'{r["median_tree_cpu"] / whole:.2f}'])
+    return "\n\n".join([measured(report), table(["surface", "points", "triangulation, s", "loop and Boost, s", "tree, s",
+                                                  "tree of arrays, s", "surface contains it, s", "tree / triangulation"], rows, 2)])
 
 
 def sources(report):
