@@ -321,12 +321,10 @@ void rename_vertices(Compact_cell* first, Compact_cell* last, const std::vector<
                      Index end)
 {
   for (Compact_cell* cell = first; cell != last; ++cell) {
-    for (std::size_t k = 0; k < 4; ++k) { // in a vector
-      const auto neighbor = Index(cell->neighbors[k] >> 2);
-      cell->neighbors[k] = Id(neighbor < end ? neighbor : Index(-1));
-    }
-    for (std::size_t k = 0; k < 4; ++k)
-      cell->v[k] = Id(names[cell->v[k]]);
+    for (Id& link : cell->neighbors) // in a vector
+      link = Id(Index(link >> 2) < end ? Index(link >> 2) : Index(-1));
+    for (Id& v : cell->v)
+      v = Id(names[v]);
   }
 }
 

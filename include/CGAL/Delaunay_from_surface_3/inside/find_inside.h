@@ -66,7 +66,7 @@ public:
 
   const std::vector<Corners>& triangles() const { return m_triangles; }
   bool is_turned(std::size_t t) const { return m_is_turned[t] != 0; }
-  void turn(std::size_t t) { m_is_turned[t] = 1 - m_is_turned[t]; }
+  void turn(std::size_t t) { m_is_turned[t] = char(1 - m_is_turned[t]); }
 
   std::array<std::size_t, 2> ends(std::size_t side) const
   {
@@ -417,7 +417,7 @@ std::vector<char> crossed_cells(const Cells& cells, const std::vector<Cutting_tr
     for (const Vector_3d& corner : p)
       box.add(corner);
     tree.visit(box, [&](const Cutting_triangle& t) {
-      is_crossed[c] = is_crossed[c] != 0 || passes_inside(t, p, box);
+      is_crossed[c] = char(is_crossed[c] != 0 || passes_inside(t, p, box));
     });
   });
   return is_crossed;

@@ -258,7 +258,7 @@ public:
     const std::uintptr_t begin = (address + first * sizeof(T) + page - 1) / page * page;
     const std::uintptr_t end = (address + last * sizeof(T)) / page * page;
     if (begin < end)
-      madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
+      madvise(reinterpret_cast<char*>(m_data) + (begin - address), end - begin, MADV_DONTNEED);
 #else
     (void)first, (void)last;
 #endif

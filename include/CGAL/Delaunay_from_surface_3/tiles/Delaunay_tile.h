@@ -469,6 +469,7 @@ public:
   std::vector<Tile_message> witnesses(const std::vector<std::uint32_t>& partners) const
   {
     std::vector<Tile_message> messages;
+    messages.reserve(partners.size());
     for (const std::uint32_t to : partners)
       messages.push_back({m_number, to, points_around(to)});
     return messages;

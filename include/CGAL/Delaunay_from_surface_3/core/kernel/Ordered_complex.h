@@ -346,7 +346,8 @@ public:
     const auto point = [&](std::size_t k) {
       return k < order.size ? points[order.order[k]] : apex;
     };
-    const auto with_weight = [&](const auto& p, std::size_t k, const auto& scale) -> Coordinates {
+    const auto with_weight = [&](const auto& p, [[maybe_unused]] std::size_t k,
+                                 [[maybe_unused]] const auto& scale) -> Coordinates {
       if constexpr (Vertex::has_weight) // that of the apex does not matter, if it is no larger
         return {p[0], p[1], p[2], scale(weights[order.order[k < order.size ? k : 0]])};
       else

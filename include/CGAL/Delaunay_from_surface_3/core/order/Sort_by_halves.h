@@ -45,7 +45,7 @@ public:
   };
 
   // Sorts the indices [first, last) of points.
-  void operator()(const Point_array& points, std::size_t* first, std::size_t* last,
+  void operator()(const Point_array& points, std::size_t* first, const std::size_t* last,
                   const Executor& executor = Alone())
   {
     if (first == last)

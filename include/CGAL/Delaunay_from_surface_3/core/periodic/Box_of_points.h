@@ -191,9 +191,9 @@ private:
   {
     double longest = 0, farthest = 0, least = (std::numeric_limits<double>::max)();
     const auto look_at = [&least](double x) { least = x > 0 ? (std::min)(least, x) : least; };
-    for (std::size_t a = 0; a < 3; ++a) {
-      longest = (std::max)(longest, m_periods.lengths[a]);
-      look_at(m_periods.lengths[a]);
+    for (const double length : m_periods.lengths) {
+      longest = (std::max)(longest, length);
+      look_at(length);
     }
     for (std::size_t i = 0; i < m_number_of_points; ++i)
       for (std::size_t a = 0; a < 3; ++a) {

@@ -95,8 +95,8 @@ public:
   Explore_announced(Announced_zone& zone, Marks& marks, unsigned worker)
     : m_zone(zone)
     , m_bytes(marks.bytes() + worker)
-    , m_shift(marks.shift())
     , m_marks(marks)
+    , m_shift(marks.shift())
     , m_worker(worker)
   {
   }
@@ -217,15 +217,14 @@ protected:
     });
   }
 
+  alignas(32) Cell m_cell;
   Announced_zone& m_zone;
   std::uint8_t* m_bytes; // the worker's
-  unsigned m_shift;
   const Marks& m_marks;
-  unsigned m_worker;
-  bool m_is_torn = false;
-  alignas(32) Cell m_cell;
-  Id m_words[4]; // first vertices of its neighbours
+  unsigned m_shift, m_worker;
+  Id m_words[4]; // first vertices of the cell's neighbours
   Cell m_neighbor;
+  bool m_is_torn = false;
 };
 
 // The following does the same as Explore_announced, in vectors. Only here are words that others
