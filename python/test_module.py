@@ -1449,11 +1449,26 @@ class Meshes(unittest.TestCase):
         """Each tetrahedron has points of its own."""
         ours = dfs.delaunay3(self.points[3], box=(1, 1, 1))
         meshio = types.SimpleNamespace(Mesh=lambda points, cells: (points, cells))
-        pyvista = types.SimpleNamespace(CellType=types.SimpleNamespace(TETRA=10), UnstructuredGrid=lambda cells, points: (points, cells))
+        kinds = types.SimpleNamespace(TETRA=10, TRIANGLE=5, LINE=3)
+        pyvista = types.SimpleNamespace(CellType=kinds, UnstructuredGrid=lambda cells, points: (points, cells))
         with unittest.mock.patch.dict(sys.modules, meshio=meshio, pyvista=pyvista):
             for points, cells in (ours.to_meshio(), ours.to_pyvista()):
                 cells = cells[10] if isinstance(cells, dict) else dict(cells)["tetra"]
                 np.testing.assert_array_equal(points[cells], ours.corners)
+
+    def test_vtk(self):
+        if not importlib.util.find_spec("vtkmodules"):
+            self.skipTest("skipped: VTK was not found")
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        for dimension, points in self.points.items():
+            for ours in [dfs.delaunay3(points, neighbors=True)] + [dfs.delaunay3(points, box=(9, 9, 9))] * (dimension == 3):
+                grid = ours.to_vtk()
+                self.assertEqual(grid.GetNumberOfCells(), ours.nsimplex)
+                cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(ours.simplices.shape)
+                places = vtk_to_numpy(grid.GetPoints().GetData())[cells] if ours.nsimplex else np.zeros((0, 1, 3))
+                np.testing.assert_array_equal(places, getattr(ours, "corners", ours.points[ours.simplices]))
+                self.assertEqual({grid.GetCellType(c) for c in range(ours.nsimplex)}, {{3: 10, 2: 5, 1: 3, 0: 1}[dimension]}
+                                 if ours.nsimplex else set())
 
     def test_pyvista(self):
         stand_in = types.SimpleNamespace(CellType=types.SimpleNamespace(TETRA=10, TRIANGLE=5, LINE=3),

@@ -259,19 +259,9 @@ class Periodic3(Delaunay3):
         return _core.barycentric_in_box(self.points, self.simplices, self._in_box, queries, numbers_of,
                                         offsets.reshape(-1, 3), number_of_threads("threads", threads)).reshape(*shape, 4)
 
-    def to_pyvista(self) -> Any:
-        """Return a pyvista.UnstructuredGrid of the tetrahedra: each has four points of its own, its `corners`."""
-        import pyvista
-        cells = np.arange(4 * self.nsimplex).reshape(-1, 4)
-        if self.nsimplex == 0:
-            return pyvista.UnstructuredGrid()
-        return pyvista.UnstructuredGrid({pyvista.CellType.TETRA: cells}, self.corners.reshape(-1, 3))
-
-    def to_meshio(self) -> Any:
-        """Return a meshio.Mesh of the tetrahedra: each has four points of its own, its `corners`."""
-        import meshio
-        cells = np.arange(self.simplices.size).reshape(self.simplices.shape)
-        return meshio.Mesh(self.corners.reshape(-1, 3), [("tetra" if self.dimension == 3 else "vertex", cells)])
+    def _mesh(self) -> Tuple[Reals, Indices]:
+        """Each tetrahedron has four points of its own, its `corners`."""
+        return self.corners.reshape(-1, 3), np.arange(self.simplices.size, dtype=np.int32).reshape(self.simplices.shape)
 
     @property
     def inside(self) -> Truths:

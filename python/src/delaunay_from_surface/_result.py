@@ -330,19 +330,38 @@ class Delaunay3:
         return _core.is_valid(self.points, self.simplices, self.vertices, self.dimension, LEVELS.index(level),
                               self._threads, self.__dict__.get("_weights"))
 
+    def to_vtk(self) -> Any:
+        """Return a vtkUnstructuredGrid of the simplices, with copies of points and indices."""
+        from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+        from vtkmodules.vtkCommonCore import vtkPoints
+        from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkUnstructuredGrid
+        points, cells = self._mesh()
+        places, rows, grid = vtkPoints(), vtkCellArray(), vtkUnstructuredGrid()
+        places.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
+        ends = np.arange(0, cells.size + 1, max(cells.shape[1], 1), dtype=np.int64)
+        rows.SetData(*(numpy_to_vtkIdTypeArray(array, deep=True) for array in (ends, cells.reshape(-1).astype(np.int64))))
+        grid.SetPoints(places)
+        grid.SetCells({3: 10, 2: 5, 1: 3}.get(self.dimension, 1), rows)  # VTK_TETRA, VTK_TRIANGLE, VTK_LINE, VTK_VERTEX
+        return grid
+
     def to_pyvista(self) -> Any:
-        """Return a pyvista.UnstructuredGrid of the simplices."""
+        """Return a pyvista.UnstructuredGrid of the simplices. `to_pyvista().plot()` shows them, in a notebook, too."""
         import pyvista
         kind = {3: pyvista.CellType.TETRA, 2: pyvista.CellType.TRIANGLE, 1: pyvista.CellType.LINE}
-        if self.dimension not in kind:
+        points, cells = self._mesh()
+        if self.dimension not in kind or len(cells) == 0:
             return pyvista.UnstructuredGrid()
-        return pyvista.UnstructuredGrid({kind[self.dimension]: np.ascontiguousarray(self.simplices)}, self.points)
+        return pyvista.UnstructuredGrid({kind[self.dimension]: cells}, points)
 
     def to_meshio(self) -> Any:
         """Return a meshio.Mesh of the simplices."""
         import meshio
-        kind = {3: "tetra", 2: "triangle", 1: "line"}.get(self.dimension, "vertex")
-        return meshio.Mesh(self.points, [(kind, np.ascontiguousarray(self.simplices))])
+        points, cells = self._mesh()
+        return meshio.Mesh(points, [({3: "tetra", 2: "triangle", 1: "line"}.get(self.dimension, "vertex"), cells)])
+
+    def _mesh(self) -> Tuple[Coordinates, Indices]:
+        """Points and cells in one piece, as programs for meshes take them."""
+        return self.points, np.ascontiguousarray(self.simplices)
 
     def _needs_space(self, name: str) -> None:
         if self.dimension < 3:
