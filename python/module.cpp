@@ -263,4 +263,5 @@ PYBIND11_MODULE(_delaunay_from_surface, m)
   python::define_queries(m);
   python::define_inside(m);
   python::define_tiles(m);
+  python::define_learning(m);
 }

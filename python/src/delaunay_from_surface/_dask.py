@@ -20,7 +20,7 @@ from typing import Any, Dict, Iterable, List, Optional, SupportsIndex, Tuple, Un
 import numpy as np
 
 from . import _delaunay_from_surface as _core
-from ._tiles import Place, Tile, Tiles, bytes_of, number_of_tiles
+from ._tiles import Place, Tile, Tiles, bytes_of, name_of, names_of, number_of_tiles
 from ._types import Places
 
 
@@ -89,10 +89,14 @@ def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int
 
     Raises
     ------
+    FileNotFoundError
+        If a worker does not see one of the files.
     OSError
         If a file cannot be read or written, or is not what it should be, or the folder is that of another input.
     ValueError
         If a coordinate is not a finite number, all points lie in one plane, or an argument is out of range.
+    TypeError
+        If the client is none, or points are neither files nor a `dask.array`.
     MemoryError
         If a tile keeps more points than it may, and more tiles do not help or their number was given.
     distributed.KilledWorker
@@ -105,9 +109,11 @@ def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int
     A round has a task for each tile that was told of something in the one before, and no others; in the dashboard they
     are named after the round. The number of rounds is about six, whatever the number of points.
     """
+    if not (callable(getattr(client, "submit", None)) and callable(getattr(client, "map", None))):
+        raise TypeError(f"client: expected a distributed.Client, got {type(client).__name__}")
     number = number_of_tiles(tiles)
     how = bytes_of(memory), vtu
-    folder = os.fsdecode(output)
+    folder = os.fsdecode(name_of("output", output))
     files = _files_of(points, client, folder)
     run = _Run(client, (files, folder), how, files if hasattr(points, "to_delayed") else [])
     run.to_the_end(number)
@@ -159,7 +165,7 @@ def _names_of(files: List[str], folder: str) -> Tuple[List[bytes], bytes]:
 
 # Functions of an extension cannot be sent to workers; these can.
 def _next(files: List[str], folder: str, *how: Any) -> Tuple[int, str, int]:
-    number, stage, tiles = _core.next_of_tiles(*_names_of(files, folder), *how)
+    number, stage, tiles = _core.next_of_tiles(names_of(files), os.fsencode(folder), *how)
     return number, stage, tiles
 
 
@@ -188,7 +194,7 @@ def _files_of(points: Any, client: Any, folder: str) -> List[str]:
     if not hasattr(points, "to_delayed"):
         if isinstance(points, np.ndarray) or not isinstance(points, Iterable):
             raise TypeError("points: files or a dask.array are needed; dask.array.from_array makes one of NumPy's")
-        return [os.fsdecode(file) for file in points]
+        return [os.fsdecode(name_of("points", file)) for file in points]
     return _write_array(points, client, Path(folder) / "points")
 
 
