@@ -10,6 +10,7 @@
 #include "numpy_rows.h"
 
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
 #include <algorithm>
 #include <array>
@@ -63,19 +64,22 @@ struct Simplices
 template <std::size_t corners, bool is_in_box>
 auto key_of(const Simplices& simplices, std::size_t c)
 {
-  std::array<std::array<Index, is_in_box ? 4 : 1>, corners> places;
+  constexpr std::size_t size = is_in_box ? 4 : 1;
+  std::array<std::array<Index, size>, corners> places;
   for (std::size_t k = 0; k < corners; ++k) {
     places[k][0] = simplices.points[corners * c + k];
-    if constexpr (is_in_box)
-      for (std::size_t a = 0; a < 3; ++a)
-        places[k][1 + a] = simplices.offsets[3 * (corners * c + k) + a];
+    for (std::size_t a = 1; a < size; ++a)
+      places[k][a] = simplices.offsets[3 * (corners * c + k) + a - 1];
   }
-  std::sort(places.begin(), places.end());
-  if constexpr (is_in_box)
-    for (std::size_t k = corners; k-- > 0;)
-      for (std::size_t a = 1; a < 4; ++a)
-        places[k][a] -= places[0][a];
-  return places;
+  for (std::size_t last = corners - 1; last > 0; --last) // so few that the simplest way is the best
+    for (std::size_t k = 0; k < last; ++k)
+      if (places[k + 1] < places[k])
+        std::swap(places[k], places[k + 1]);
+  std::array<Index, size * corners> key;
+  for (std::size_t k = 0; k < corners; ++k)
+    for (std::size_t a = 0; a < size; ++a)
+      key[size * k + a] = places[k][a] - (a == 0 ? 0 : places[0][a]);
+  return key;
 }
 
 // Finds simplices with the same least vertex by their keys.
@@ -120,9 +124,8 @@ private:
   std::size_t place(const Key& key) const
   {
     std::uint64_t hash = 0;
-    for (const auto& of_corner : key)
-      for (const Index number : of_corner)
-        hash = ((hash ^ hash >> 32) + std::uint32_t(number)) * 0x9e3779b97f4a7c15;
+    for (const Index number : key)
+      hash = ((hash ^ hash >> 32) + std::uint32_t(number)) * 0x9e3779b97f4a7c15;
     return std::size_t(hash >> 32) & m_mask;
   }
 
@@ -147,6 +150,19 @@ core::Lists<std::uint32_t> by_least_vertex(const Simplices& simplices, std::size
                                        executor);
 }
 
+// Calls f(c) for each simplex in list v, and prefetches the corners of one that comes later.
+template <class F>
+void for_each_in_list(const Simplices& simplices, const core::Lists<std::uint32_t>& lists,
+                      std::size_t v, const F& f)
+{
+  const std::uint32_t* const end = lists.items.data() + lists.items.size();
+  for (const std::uint32_t* c = lists.begin(v); c != lists.end(v); ++c) {
+    if (end - c > std::ptrdiff_t(core::prefetch_distance))
+      core::prefetch(simplices.points.data() + simplices.corners * c[core::prefetch_distance]);
+    f(*c);
+  }
+}
+
 // Marks the simplices that both have: those before that stay, and those after that were there.
 // Expected linear: only those with the same least of the n vertices are compared, by hashing.
 template <std::size_t corners, bool is_in_box>
@@ -157,22 +173,24 @@ void mark_common(const Simplices& before, const Simplices& after, std::size_t n,
   const core::Lists<std::uint32_t> old_lists = by_least_vertex(before, n, executor);
   const core::Lists<std::uint32_t> new_lists = by_least_vertex(after, n, executor);
   const std::size_t blocks = core::number_of_blocks(executor, n, 4096);
-  core::for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t) {
+  const auto mark = [&](std::size_t first, std::size_t last, std::size_t) {
     Key_table<decltype(key_of<corners, is_in_box>(before, 0))> table;
     core::Steps step(executor);
-    for (std::size_t v = first; v < last; ++v) {
+    for (std::size_t v = first; v < last; ++v, step()) {
       table.reset(std::size_t(old_lists.end(v) - old_lists.begin(v)));
-      step(std::size_t(old_lists.end(v) - old_lists.begin(v)) + 1);
-      for (const std::uint32_t* c = old_lists.begin(v); c != old_lists.end(v); ++c)
-        table.add(key_of<corners, is_in_box>(before, *c), *c);
-      step(std::size_t(new_lists.end(v) - new_lists.begin(v)));
-      for (const std::uint32_t* c = new_lists.begin(v); c != new_lists.end(v); ++c) {
-        const std::uint32_t old = table.find(key_of<corners, is_in_box>(after, *c));
+      for_each_in_list(before, old_lists, v, [&](std::uint32_t c) {
+        table.add(key_of<corners, is_in_box>(before, c), c);
+        step();
+      });
+      for_each_in_list(after, new_lists, v, [&](std::uint32_t c) {
+        const std::uint32_t old = table.find(key_of<corners, is_in_box>(after, c));
         if (old != table.none)
-          stays[old] = was_there[*c] = 1;
-      }
+          stays[old] = was_there[c] = 1;
+        step();
+      });
     }
-  });
+  };
+  core::for_each_block(executor, n, blocks, mark);
 }
 
 // Renumbers the points of both, so that those that are near in space are near in memory. Edges come

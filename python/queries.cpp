@@ -615,7 +615,10 @@ void python::define_queries(py::module_& m)
     return python::array_of_points(object, name);
   });
   m.def("array_of_weights", &python::array_of_weights);
-  m.def("on_host", &python::on_host);
+  m.def("read_alike", [](const py::object& object, const std::string& name) -> py::object {
+    const bool is_read = python::is_array_alike(object) && !py::isinstance<py::array>(object);
+    return is_read ? py::object(python::array_from_any(name, object, "numbers")) : object;
+  });
   m.def("neighbors", &neighbors);
   m.def("find_simplex", &find_simplex);
   m.def("find_copies", &find_copies);

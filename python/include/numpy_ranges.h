@@ -289,11 +289,13 @@ inline std::vector<std::vector<std::int64_t>> faces_of_vtk(const py::array& arra
   return faces;
 }
 
-// Returns whether an object is not an array, but is read as one.
+// Returns whether an object is an array, or is read as one.
 inline bool is_array_alike(const py::object& object)
 {
-  return py::isinstance<py::memoryview>(object) || py::hasattr(object, "__array__") ||
-         py::hasattr(object, "__dlpack__") || py::hasattr(object, "detach");
+  for (const char* const name : {"__array__", "__array_interface__", "__dlpack__", "detach"})
+    if (py::hasattr(object, name))
+      return true;
+  return py::isinstance<py::memoryview>(object);
 }
 
 // Calls f(faces) with a range of ranges of indices.
@@ -301,7 +303,7 @@ template <class F>
 auto with_faces(const py::object& object, const F& f)
 {
   refuse_mask("faces", object);
-  if (py::isinstance<py::array>(object) || is_array_alike(object)) {
+  if (is_array_alike(object)) {
     const py::array array = array_of("faces", object, "iu", "integers", "int64");
     if (array.ndim() == 1)
       return f(faces_of_vtk(array));

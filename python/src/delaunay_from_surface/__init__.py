@@ -157,12 +157,12 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
     array = np.asarray(_core.array_of_points(points, "points"))  # not one of a derived class
     array_of_weights = None if weights is None else _core.array_of_weights(weights, len(array))
     if inside:
-        faces = _core.on_host(faces)
+        faces = _core.read_alike(faces, "faces")
         if weights is not None:
             raise ValueError("inside: the points have weights: those of the faces may be hidden")
         if faces is None:
             raise ValueError("inside: there are no faces")
-        if not (isinstance(faces, memoryview) or hasattr(faces, "__array__") or hasattr(faces, "__dlpack__")):
+        if not isinstance(faces, np.ndarray):
             faces = _kept(faces)
     if order is not None and not isinstance(order, InsertionOrder):
         raise TypeError(f"order: expected an InsertionOrder, got {type(order).__name__}")

@@ -72,7 +72,7 @@ def delaunay3_batch(points: Iterable[Points], weights: Optional[Iterable[Optiona
 
 def _sets_of(name: str, given: Any, dimensions: int) -> List[Any]:
     """One for each set: of an array with so many dimensions its parts, which are not copied."""
-    array = _core.on_host(given)
+    array = _core.read_alike(given, name)
     shape = getattr(array, "shape", None)
     if shape is not None and len(shape) != dimensions:
         expected = "(b, n, 3)" if dimensions == 3 else "(b, n)"

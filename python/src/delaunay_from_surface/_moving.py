@@ -120,7 +120,7 @@ class Moving:
 
     def __init__(self, points: Optional[Points] = None, *, weights: Optional[ArrayLike] = None, box: Optional[Box] = None,
                  threads: Optional[SupportsIndex] = 1, dtype: Any = "int32") -> None:
-        self._weights = None if weights is None else _core.on_host(weights)
+        self._weights = None if weights is None else _core.read_alike(weights, "weights")
         self._box = None if box is None else periods_of(box)
         self._threads = number_of_threads("threads", threads)
         self._type = index_type(dtype)

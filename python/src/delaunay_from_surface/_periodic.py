@@ -256,12 +256,14 @@ class Periodic3(Delaunay3):
         queries, shape = self._rows_of(xi)
         if offset is None:
             found = self.find_copies(xi, threads=threads)
-            if simplex is not None and not np.array_equal(np.reshape(_core.on_host(simplex), -1), found.simplices.reshape(-1)):
+            given = found.simplices if simplex is None else _core.read_alike(simplex, "simplex")
+            if not np.array_equal(np.reshape(given, -1), found.simplices.reshape(-1)):
                 raise ValueError("barycentric: other simplices than those of find_copies() need an offset for each")
             simplex, offset = found
         elif simplex is None:
             raise ValueError("barycentric: there are offsets, but no simplices")
-        numbers_of, offsets = np.asarray(_core.on_host(simplex)).reshape(-1), np.asarray(_core.on_host(offset))
+        numbers_of = np.asarray(_core.read_alike(simplex, "simplex")).reshape(-1)
+        offsets = np.asarray(_core.read_alike(offset, "offset"))
         for name, array in (("simplex", numbers_of), ("offset", offsets)):
             if array.dtype.kind not in "iu":
                 raise TypeError(f"barycentric: {name}: expected integers, got entries of type {array.dtype}")

@@ -266,7 +266,8 @@ class Delaunay3:
         plane; IndexError for a simplex that there is not; TypeError if simplices are no integers.
         """
         self._needs_space("barycentric")
-        numbers_of = np.asarray(self.find_simplex(xi, threads=threads) if simplex is None else _core.on_host(simplex)).reshape(-1)
+        given = self.find_simplex(xi, threads=threads) if simplex is None else _core.read_alike(simplex, "simplex")
+        numbers_of = np.asarray(given).reshape(-1)
         if numbers_of.dtype.kind not in "iu":
             raise TypeError(f"barycentric: simplex: expected integers, got entries of type {numbers_of.dtype}")
         queries, shape = self._rows_of(xi)
@@ -363,7 +364,7 @@ class Delaunay3:
 
     @staticmethod
     def _rows_of(given: Any) -> Tuple[Coordinates, Tuple[int, ...]]:
-        xi = _core.on_host(given)
+        xi = _core.read_alike(given, "xi")
         shape = np.shape(xi)
         if len(shape) == 0 or shape[-1] != 3:
             return _core.array_of_points(xi, "xi"), (0,)

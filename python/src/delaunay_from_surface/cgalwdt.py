@@ -63,7 +63,7 @@ class CGALWDTStruct:
             As `delaunay3`: for NaN, too. If all points lie in a plane there are no tetrahedra.
         """
         kind = index_type(dtype)
-        weights = np.asarray(_core.on_host(points.weights))
+        weights = np.asarray(_core.read_alike(points.weights, "weights"))
         if weights.ndim == 2 and weights.shape[1] == 1:
             weights = weights[:, 0]
         begin = time.perf_counter()

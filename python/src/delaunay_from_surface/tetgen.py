@@ -37,7 +37,7 @@ class TetGen:
 
     def __init__(self, points: Any, faces: Any = None) -> None:
         self._points = np.asarray(_core.array_of_points(points, "points"))
-        if faces is not None and np.size(_core.on_host(faces)) > 0:
+        if faces is not None and np.size(_core.read_alike(faces, "faces")) > 0:
             raise ValueError(f"faces: only points alone are tetrahedralised here, got {len(faces)} faces: that needs TetGen")
 
     def tetrahedralize(self, switches: str = "Q", *, threads: Optional[SupportsIndex] = 1, dtype: Any = "int32"

@@ -1,0 +1,395 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+
+"""Tests what is there for programs that triangulate in every step: tensors, points that move, batches, and what stands for the
+triangulations of others, against TetGen and CGAL where these are found."""
+
+import importlib.util
+import io
+import itertools
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import textwrap
+import threading
+import types
+import unittest
+import unittest.mock
+from pathlib import Path
+
+import numpy as np
+
+import delaunay_from_surface as dfs
+from delaunay_from_surface import _delaunay_from_surface as core
+from delaunay_from_surface import cgalwdt, cpp, tetgen
+from test_module import cell_set, random_points
+
+
+class Tensor:
+    """Stands for a tensor that requires a gradient and lies on a device: NumPy may not read it as it is."""
+
+    def __init__(self, array, device="cuda:0", is_detached=False):
+        self.array, self.device, self.is_detached, self.shape = np.asarray(array), device, is_detached, np.shape(array)
+
+    def __array__(self, *arguments, **keywords):
+        raise RuntimeError("Can't call numpy() on Tensor that requires grad.")
+
+    def __dlpack__(self, **keywords):
+        raise BufferError("Can't export tensors that require gradient")
+
+    def __dlpack_device__(self):
+        return (2, 0)
+
+    def __len__(self):
+        return len(self.array)
+
+    def __iter__(self):
+        return (Tensor(part, self.device, self.is_detached) for part in self.array)
+
+    def detach(self):
+        return type(self)(self.array, self.device, True)
+
+    def cpu(self):
+        return type(self)(self.array, "cpu", self.is_detached)
+
+    def to(self, device):
+        return Tensor(self.array, device, True)
+
+    def numpy(self):
+        if self.device != "cpu" or not self.is_detached:
+            raise TypeError("can't convert")
+        return self.array
+
+
+class OnlyDLPack:
+    """An array that has no other protocol."""
+
+    def __init__(self, array):
+        self.array = np.ascontiguousarray(array)
+
+    def __dlpack__(self, **keywords):
+        return self.array.__dlpack__(**keywords)
+
+    def __dlpack_device__(self):
+        return self.array.__dlpack_device__()
+
+
+class OnlyInterface:
+    """The same for NumPy's own protocol."""
+
+    def __init__(self, array):
+        self.array = np.ascontiguousarray(array)
+        self.__array_interface__ = self.array.__array_interface__
+
+
+def kinds():
+    """By name what makes something that holds an array's values."""
+    makers = {"a tensor": Tensor, "an array interface": OnlyInterface}
+    if hasattr(np, "from_dlpack"):
+        makers["DLPack"] = OnlyDLPack
+    if importlib.util.find_spec("torch") is not None:
+        import torch
+        makers["PyTorch"] = lambda array: torch.tensor(np.ascontiguousarray(array), requires_grad=array.dtype.kind == "f")
+    return makers
+
+
+class Tensors(unittest.TestCase):
+    def test_found(self):
+        if importlib.util.find_spec("torch") is None:
+            self.skipTest("skipped: PyTorch was not found; stand-ins are read all the same")
+
+    def test_arguments_of_all_functions(self):
+        """Whatever holds the values, the result is that of NumPy's array."""
+        points, weights, xi = random_points(200), random_points(67).ravel()[:200] * .01, random_points(40, 7)
+        hull = dfs.delaunay3(points).convex_hull
+        triangulation, box = dfs.delaunay3(points), dfs.delaunay3(points, box=(1, 1, 1))
+        found, copies = triangulation.find_simplex(xi), box.find_copies(xi)
+        uses = {
+            "points": lambda t: dfs.delaunay3(t(points)).simplices,
+            "float32": lambda t: dfs.delaunay3(t(points.astype(np.float32))).simplices,
+            "weights": lambda t: dfs.delaunay3(t(points), weights=t(weights)).simplices,
+            "faces": lambda t: dfs.delaunay3(points, t(hull), inside=True).winding_numbers,
+            "faces, checked": lambda t: dfs.delaunay3(points, t(hull)).simplices,
+            "in a box": lambda t: dfs.delaunay3(t(points), box=(1, 1, 1), weights=t(weights)).simplices,
+            "find_simplex": lambda t: triangulation.find_simplex(t(xi)),
+            "find_simplex, of one": lambda t: triangulation.find_simplex(t(xi[0])),
+            "find_simplex, many dimensions": lambda t: triangulation.find_simplex(t(xi.reshape(4, 10, 3))),
+            "barycentric": lambda t: triangulation.barycentric(t(xi), t(found)),
+            "find_copies": lambda t: box.find_copies(t(xi)).offsets,
+            "barycentric in a box": lambda t: box.barycentric(t(xi), t(copies.simplices), t(copies.offsets)),
+            "the same, found anew": lambda t: box.barycentric(t(xi), t(copies.simplices)),
+            "subgraph": lambda t: dfs.subgraph(t(hull)),
+            "topology": lambda t: np.array(dfs.surface_topology(t(hull))),
+            "batch": lambda t: np.concatenate([one.simplices for one in dfs.delaunay3_batch([t(points), t(xi)], [t(weights), None])]),
+            "moving": lambda t: dfs.Moving(t(points), weights=t(weights)).simplices,
+            "moving, later": lambda t: dfs.Moving(xi).update(t(points), t(weights)).simplices,
+            "TetGen": lambda t: tetgen.TetGen(t(points), t(np.zeros(0, dtype=int))).tetrahedralize()[1]}
+        for what, use in uses.items():
+            expected = use(np.asarray)
+            self.assertGreater(np.size(expected), 0, what)
+            for kind, make in kinds().items():
+                np.testing.assert_array_equal(use(make), expected, f"{what}, {kind}")
+
+    def test_without_a_copy(self):
+        points = random_points(50)
+        for kind, make in kinds().items():
+            for array in (points, points.astype(np.float32)):
+                given = make(array)
+                values = given.detach().numpy() if kind == "PyTorch" else given.array
+                self.assertTrue(np.shares_memory(dfs.delaunay3(given).points, values), kind)
+
+    def test_results_are_taken(self):
+        """torch.from_numpy() warns of arrays that it may not write into, and refuses negative strides."""
+        made = dfs.Moving(random_points(100))
+        edges = dfs.delaunay3(random_points(100), neighbors=True)
+        for array in (made.simplices, made.neighbors, made.edges, made.changes.simplices_new, edges.simplices, edges.vertices):
+            self.assertTrue(array.flags.writeable and min(array.strides) > 0 and array.dtype == np.int32)
+            if importlib.util.find_spec("torch") is not None:
+                import torch
+                tensor = torch.from_numpy(array)
+                self.assertEqual(tensor.data_ptr(), array.__array_interface__["data"][0])
+
+    def test_refusals_name_the_argument(self):
+        class Unreadable(Tensor):
+            def numpy(self):
+                raise TypeError("Got unsupported ScalarType BFloat16")
+        for name, use in (("points", lambda t: dfs.delaunay3(t)), ("faces", lambda t: dfs.subgraph(t)),
+                          ("weights", lambda t: dfs.delaunay3(random_points(5), weights=t)),
+                          ("faces", lambda t: dfs.delaunay3(random_points(5), t, inside=True)),
+                          ("xi", lambda t: dfs.delaunay3(random_points(5)).find_simplex(t)),
+                          ("simplex", lambda t: dfs.delaunay3(random_points(5)).barycentric(random_points(5), t))):
+            with self.assertRaisesRegex(TypeError, f"^{name}: expected an array of ") as caught:
+                use(Unreadable(random_points(5)))
+            self.assertIn("BFloat16", str(caught.exception.__cause__))
+
+    def test_cupy(self):
+        """Its arrays have get(), and refuse NumPy."""
+        class OnDevice:
+            __cuda_array_interface__ = {}
+
+            def get(self):
+                return random_points(30)
+
+            def __array__(self, *arguments, **keywords):
+                raise TypeError("Implicit conversion to a NumPy array is not allowed.")
+        np.testing.assert_array_equal(dfs.delaunay3(OnDevice()).simplices, dfs.delaunay3(random_points(30)).simplices)
+
+
+def keys_of(rows, offsets=None):
+    """Simplices as sets, in a box with the offsets of their corners from that which comes first."""
+    if offsets is None:
+        return [tuple(sorted(row)) for row in rows.tolist()]
+    keys = []
+    for row, moved in zip(rows.tolist(), offsets.tolist()):
+        places = sorted((v, *o) for v, o in zip(row, moved))
+        first = places[0]
+        keys.append(tuple((v, x - first[1], y - first[2], z - first[3]) for v, x, y, z in places))
+    return keys
+
+
+def simplices_of(triangulation):
+    return keys_of(triangulation.simplices, getattr(triangulation, "offsets", None))
+
+
+def edges_of(triangulation):
+    """From the simplices, pair by pair."""
+    found = set()
+    for key in simplices_of(triangulation):
+        for a, b in itertools.combinations(key, 2):
+            if isinstance(a, tuple):
+                b, a = (b[0], *(p - q for p, q in zip(b[1:], a[1:]))), (a[0], 0, 0, 0)
+                if a[0] == b[0] and b[1:] < (0, 0, 0):
+                    b = (b[0], *(-p for p in b[1:]))
+            found.add((a, b))
+    return found
+
+
+class Motion(unittest.TestCase):
+    def agrees(self, moving):
+        """What the changes say is what sets say, and the triangulation is what is made anew."""
+        changes = moving.changes
+        before, after = changes.before, changes.after
+        self.assertIs(after, moving.triangulation)
+        for old, new, gone, added in (
+                ([] if before is None else simplices_of(before), simplices_of(after), changes.simplices_gone, changes.simplices_new),
+                ([] if before is None else self.edges(before), self.edges(after), changes.edges_gone, changes.edges_new)):
+            common = set(old) & set(new) if changes.is_compared else set()
+            self.assertEqual((len(set(old)), len(set(new))), (len(old), len(new)))
+            self.assertEqual(gone.tolist(), [i for i, key in enumerate(old) if key not in common])
+            self.assertEqual(added.tolist(), [i for i, key in enumerate(new) if key not in common])
+        self.assertEqual(set(self.edges(after)), edges_of(after))
+        return changes
+
+    @staticmethod
+    def edges(triangulation):
+        if not isinstance(triangulation, dfs.Periodic3):
+            return [tuple(edge) for edge in triangulation.edges.tolist()]
+        return [((a, 0, 0, 0), (b, *o)) for (a, b), o in zip(triangulation.edges.tolist(), triangulation.edge_offsets.tolist())]
+
+    def test_steps(self):
+        for threads in (1, 3):
+            points, moving = random_points(6000 if threads == 3 else 300), dfs.Moving(threads=threads)
+            with self.assertRaisesRegex(ValueError, r"there is no triangulation yet: call update\(points\)"):
+                moving.simplices
+            self.assertEqual(repr(moving), "<Moving: nothing yet>")
+            counts = []
+            for step, length in enumerate((0, 0, 1e-3, 1e-2, 1)):
+                points = points + np.random.default_rng(step).normal(0, length, points.shape)
+                made = moving.update(points)
+                self.assertEqual(cell_set(made.simplices), cell_set(dfs.delaunay3(points).simplices))
+                counts.append(len(self.agrees(moving).simplices_gone) / len(made.simplices))
+                np.testing.assert_array_equal(moving.simplices, made.simplices)
+                np.testing.assert_array_equal(moving.neighbors, dfs.Delaunay3(points, made.simplices, None, made.vertices, 3).neighbors)
+            self.assertEqual(counts[:2], [0, 0])
+            self.assertTrue(0 < counts[2] < counts[3] < counts[4])
+
+    def test_the_order_is_kept(self):
+        points = random_points(2000)
+        moving, order = dfs.Moving(points), dfs.InsertionOrder()
+        for given in (points, points + 1e-4, points + 2e-4):
+            expected = dfs.delaunay3(given, neighbors=True, order=order)
+            np.testing.assert_array_equal(moving.update(given).simplices if given is not points else moving.simplices, expected.simplices)
+
+    def test_motion(self):
+        points = random_points(50)
+        moving = dfs.Moving(points)
+        self.assertEqual((moving.changes.is_compared, moving.changes.moved, moving.changes.distance), (False, 50, np.inf))
+        points[3] += [3, 0, 4]  # the copy is another
+        points[7, 1] += .125
+        self.assertEqual(moving.triangulation.points[7, 1] + .125, points[7, 1])
+        moving.update(points)
+        self.assertEqual((moving.changes.is_compared, moving.changes.moved), (True, 2))
+        self.assertAlmostEqual(moving.changes.distance, 5, 14)
+        self.assertEqual(repr(moving.changes), "<Changes: 2 of 50 points moved by up to 5>")
+        moving.update(points)
+        self.assertEqual((moving.changes.moved, moving.changes.distance, len(moving.changes.simplices_gone)), (0, 0, 0))
+        for scale in (1e-300, 1e300):
+            tiny = dfs.Moving(points * scale)
+            tiny.update(points * scale + [0, 3 * scale, 4 * scale])
+            self.assertAlmostEqual(tiny.changes.distance / scale, 5, 12)
+        narrow = dfs.Moving(points.astype(np.float32))
+        narrow.update(points.astype(np.float32) + np.float32(.25))
+        self.assertAlmostEqual(narrow.changes.distance, .25 * 3 ** .5, 6)
+
+    def test_lattices_and_duplicates(self):
+        lattice = np.array(list(itertools.product(range(5), repeat=3)), dtype=float)
+        moving = dfs.Moving(np.concatenate([lattice, lattice[:40]]))
+        for k in range(4):
+            points = np.concatenate([lattice, lattice[:40]])
+            points[k::7] += 2.0 ** -k * np.array([1, 0, 1])  # some leave their equals, some become others'
+            moving.update(points)
+            changes = self.agrees(moving)
+            self.assertEqual(cell_set(moving.simplices), cell_set(dfs.delaunay3(points).simplices))
+            self.assertGreater(len(changes.simplices_new), 0)
+
+    def test_hidden_points(self):
+        rng = np.random.default_rng(5)
+        points, weights = rng.random((300, 3)), rng.random(300) * .05
+        moving = dfs.Moving(points, weights=weights)
+        self.assertGreater(len(moving.triangulation.hidden), 20)
+        for k in range(3):
+            weights = weights + rng.normal(0, .004, 300)
+            moving.update(points, weights)
+            changes = self.agrees(moving)
+            self.assertEqual((changes.moved, changes.distance), (0, 0))
+            self.assertGreater(len(changes.simplices_new), 0)
+        moving.update(points + .001)
+        self.agrees(moving)
+        np.testing.assert_array_equal(moving.triangulation.weights, weights)
+
+    def test_boxes(self):
+        for n, box, weights in ((60, (1, 1, 1), None), (60, (1, None, 1), None), (3, (1, 1, 1), None), (1, (1, 1, 1), None),
+                                (60, (1, 1, 1), .01)):
+            points = random_points(n)
+            weights = None if weights is None else weights * random_points(n)[:, 0]
+            moving = dfs.Moving(points, box=box, weights=weights)
+            self.agrees(moving)
+            moving.update(points + [.25, .5, .125])
+            self.assertEqual(len(self.agrees(moving).simplices_new), 0)
+            moving.update(random_points(n) + .02 * random_points(n, 9))
+            self.agrees(moving)
+            expected = dfs.delaunay3(moving.triangulation.points, box=box, weights=weights)
+            self.assertEqual(set(simplices_of(moving.triangulation)), set(simplices_of(expected)))
+        shifted = random_points(60)
+        moving = dfs.Moving(shifted, box=(1, 1, 1))
+        moving.update(shifted + np.where(np.arange(60) == 5, 1, 0)[:, None])  # one is wrapped: its simplices have other offsets
+        with_it = (moving.triangulation.simplices == 5).any(axis=1).sum()
+        self.assertEqual(len(self.agrees(moving).simplices_new), with_it)
+        empty = dfs.Moving(np.zeros((0, 3)), box=(1, 1, 1))
+        self.assertEqual((len(empty.simplices), len(empty.edges), len(empty.changes.edges_new)), (0, 0, 0))
+
+    def test_other_numbers_and_dimensions(self):
+        points = random_points(40)
+        sets = [points, points[:39], points * [1, 1, 0], points * [1, 1, 0] + .01 * random_points(40, 2) * [1, 1, 0], points * [1, 0, 0],
+                points[::-1] * [1, 0, 0], np.ones((40, 3)), points, np.zeros((0, 3)), np.zeros((0, 3)), points[:1], points]
+        moving = dfs.Moving()
+        for k, given in enumerate(sets):
+            moving.update(given)
+            changes = self.agrees(moving)
+            self.assertEqual(changes.is_compared, k > 0 and len(sets[k - 1]) == len(given))
+            if not changes.is_compared:
+                self.assertEqual((changes.moved, changes.distance), (len(given), np.inf))
+                self.assertEqual(len(changes.simplices_new), len(moving.simplices))
+
+    def test_many_at_one_vertex(self):
+        """Simplices with one least vertex: a list of all of them, which is not searched one by one."""
+        around = np.random.default_rng(1).normal(size=(20000, 3))
+        around /= np.linalg.norm(around, axis=1)[:, None]
+        points = np.concatenate([[[0, 0, 0]], around * (1 + 1e-9 * random_points(20000)[:, :1])])
+        moving = dfs.Moving(points)
+        points[1:101] *= 1.001
+        moving.update(points)
+        self.assertGreater((moving.simplices == 0).any(axis=1).sum(), 35000)
+        old, new = ({tuple(row) for row in np.sort(t.simplices, axis=1).tolist()} for t in (moving.changes.before, moving.changes.after))
+        self.assertEqual((len(moving.changes.simplices_gone), len(moving.changes.simplices_new)), (len(old - new), len(new - old)))
+
+    def test_types(self):
+        moving = dfs.Moving(random_points(50), dtype="int64")
+        for kind in (np.int64, np.dtype(np.int64), "int64"):
+            self.assertEqual(dfs.Moving(random_points(9), dtype=kind).simplices.dtype, np.int64)
+        moving.update(random_points(50) ** 1.1)
+        changes = moving.changes
+        for array in (moving.simplices, moving.neighbors, moving.edges, changes.simplices_gone, changes.simplices_new, changes.edges_gone,
+                      changes.edges_new):
+            self.assertEqual(array.dtype, np.int64)
+        for wrong in ("float64", "int16", float, 7, "torch.bool", None):
+            with self.assertRaisesRegex(TypeError, "^dtype: expected int32 or int64, got "):
+                dfs.Moving(dtype=wrong)
+
+    def test_refusals_change_nothing(self):
+        points = random_points(50)
+        moving = dfs.Moving(points, weights=points[:, 0])
+        kept, changes = moving.triangulation, moving.changes
+        for error, message, arguments in (
+                (ValueError, r"points: expected an array of shape \(n, 3\), got \(50, 2\)", (points[:, :2],)),
+                (ValueError, "points: point 0: its x coordinate", (points * np.nan,)),
+                (ValueError, r"weights: expected an array of shape \(49,\), one for each point", (points[:49],)),
+                (ValueError, r"weights: expected an array of shape \(50,\)", (points, points[:3, 0]))):
+            with self.assertRaisesRegex(error, message):
+                moving.update(*arguments)
+            self.assertIs(moving.triangulation, kept)
+            self.assertIs(moving.changes, changes)
+        moving.update(points)
+        self.assertEqual(len(moving.changes.simplices_gone), 0)
+        for wrong, error in ((0, ValueError), ("all", TypeError)):
+            with self.assertRaisesRegex(error, "^threads: expected a whole number"):
+                dfs.Moving(threads=wrong)
+        with self.assertRaisesRegex(ValueError, "box: expected three periods"):
+            dfs.Moving(box=(1, 1))
+
+    def test_what_the_extension_refuses(self):
+        cells = dfs.delaunay3(random_points(20)).simplices
+        with self.assertRaisesRegex(IndexError, "is not one of the 5 points"):
+            core.changed_simplices(cells, None, cells, None, 5, 1)
+        with self.assertRaisesRegex(ValueError, "offsets: expected three for each corner"):
+            core.changed_simplices(cells, np.zeros(5, dtype=np.int16), cells, None, 20, 1)
+        with self.assertRaisesRegex(ValueError, "simplices: expected an array of shape"):
+            core.changed_simplices(np.zeros((3, 5), dtype=np.int32), None, np.zeros((3, 5), dtype=np.int32), None, 20, 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
