@@ -5,7 +5,9 @@
 """Tests what is there for programs that triangulate in every step: tensors, points that move, batches, and what stands for the
 triangulations of others, against TetGen and CGAL where these are found."""
 
+import contextlib
 import importlib.util
+import inspect
 import io
 import itertools
 import os
@@ -16,6 +18,7 @@ import sys
 import tempfile
 import textwrap
 import threading
+import time
 import types
 import unittest
 import unittest.mock
@@ -574,6 +577,203 @@ class StandIns(unittest.TestCase):
         for use in (lambda: made.tetrahedralize(dtype="int8"), lambda: cpp.triangulate(points, dtype=float)):
             with self.assertRaisesRegex(TypeError, "^dtype: expected int32 or int64"):
                 use()
+
+
+class Batches(unittest.TestCase):
+    def sets(self):
+        return [random_points(n, n) for n in (500, 0, 3, 1000, 40)] + [random_points(50) * [1, 1, 0], random_points(60).astype(np.float32)]
+
+    def test_the_same_by_any_number_of_threads(self):
+        sets = self.sets()
+        for threads in (1, 2, 7, None):
+            made = dfs.delaunay3_batch(sets, neighbors=True, threads=threads)
+            self.assertEqual(len(made), len(sets))
+            for points, one in zip(sets, made):
+                alone = dfs.delaunay3(points, neighbors=True)
+                self.assertIs(one.points, points)
+                self.assertEqual(one.dimension, alone.dimension)
+                np.testing.assert_array_equal(one.simplices, alone.simplices)
+                np.testing.assert_array_equal(one.neighbors, alone.neighbors)
+
+    def test_arrays_of_sets(self):
+        points, weights = random_points(600).reshape(6, 100, 3), random_points(200).reshape(6, 100) * .05
+        given = [(points, weights), (list(points), list(weights)), (iter(points), iter(weights)), (Tensor(points), Tensor(weights))]
+        for some, of_some in given:
+            made = dfs.delaunay3_batch(some, of_some, threads=2)
+            for k, one in enumerate(made):
+                self.assertIsInstance(one, dfs.Regular3)
+                np.testing.assert_array_equal(one.simplices, dfs.delaunay3(points[k], weights=weights[k]).simplices)
+        self.assertTrue(np.shares_memory(dfs.delaunay3_batch(points)[3].points, points))
+        self.assertEqual(dfs.delaunay3_batch([]), [])
+        self.assertEqual(dfs.delaunay3_batch(np.zeros((0, 9, 3))), [])
+        mixed = dfs.delaunay3_batch(points[:2], [None, weights[1]], box=(1, 1, 1))
+        self.assertEqual([type(one) for one in mixed], [dfs.Periodic3, dfs.PeriodicRegular3])
+        np.testing.assert_array_equal(mixed[1].offsets, dfs.delaunay3(points[1], weights=weights[1], box=(1, 1, 1)).offsets)
+
+    def test_refusals(self):
+        sets = self.sets()
+        sets[3][7, 1] = np.nan
+        sets[4] = sets[4][:, :2]
+        for threads in (1, 2, 5):
+            with self.assertRaisesRegex(ValueError, "^set 3: points: point 7: its y coordinate is not a finite number$") as caught:
+                dfs.delaunay3_batch(sets, threads=threads)
+            self.assertIsInstance(caught.exception.__cause__, ValueError)
+        points = random_points(600).reshape(6, 100, 3)
+        for error, message, arguments in (
+                (ValueError, r"points: expected an array of shape \(b, n, 3\), or a sequence .* got \(100, 3\)", (points[0],)),
+                (TypeError, "points: expected a sequence with one array for each set, got int", (7,)),
+                (TypeError, "set 1: points: expected numbers, got entries of type complex128", ([points[0], points[1] * 1j],)),
+                (ValueError, "weights: expected those of 6 sets, one array for each or None, got 5", (points, [None] * 5)),
+                (ValueError, r"weights: expected an array of shape \(b, n\)", (points, np.zeros(6))),
+                (ValueError, r"set 0: weights: expected an array of shape \(100,\)", (points, np.zeros((6, 99))))):
+            with self.assertRaisesRegex(error, f"^{message}"):
+                dfs.delaunay3_batch(*arguments, threads=2)
+        with self.assertRaisesRegex(ValueError, "^threads: expected a whole number from 1 on"):
+            dfs.delaunay3_batch(points, threads=0)
+
+    def test_interrupted(self):
+        """Ctrl-C ends all threads, in the middle of their sets."""
+        sets = [random_points(150000, k) for k in range(60)]
+        for threads in (1, 3):
+            before = threading.active_count()
+            timer = threading.Timer(.3, os.kill, (os.getpid(), signal.SIGINT))
+            begin = time.monotonic()
+            timer.start()
+            with self.assertRaises(KeyboardInterrupt):
+                dfs.delaunay3_batch(sets, threads=threads)
+            self.assertLess(time.monotonic() - begin, 5)
+            timer.join()
+            self.assertEqual(threading.active_count(), before)
+
+
+class Wishes(unittest.TestCase):
+    """Small things: bars, names of arguments, and what is said of things in the wrong place."""
+
+    def bars(self, work):
+        """What a stand-in for tqdm is told."""
+        made = []
+
+        class Stand:
+            def __init__(self, total, desc):
+                self.total, self.desc, self.n, self.is_closed = total, desc, 0, False
+                made.append(self)
+
+            def update(self, more):
+                self.n += more
+
+            def close(self):
+                self.is_closed = True
+        modules = {"tqdm": types.ModuleType("tqdm"), "tqdm.auto": types.SimpleNamespace(tqdm=Stand)}
+        with unittest.mock.patch.dict(sys.modules, modules):
+            work()
+        return made
+
+    def text(self, work):
+        """What is written where there is no tqdm."""
+        with unittest.mock.patch.dict(sys.modules, {"tqdm": None, "tqdm.auto": None}), contextlib.redirect_stderr(io.StringIO()) as stream:
+            work()
+        return stream.getvalue()
+
+    def test_bars(self):
+        points = random_points(3000)
+        for work in (lambda: dfs.delaunay3(points, progress=True), lambda: dfs.delaunay3(points, box=(1, 1, 1), progress=True)):
+            bar, = self.bars(work)
+            self.assertEqual((bar.n, bar.total, bar.is_closed), (100, 100, True))
+            self.assertRegex(self.text(work), r"^\rpercent of the points: 0 of 100(.*)\rpercent of the points: 100 of 100\n$")
+        self.assertEqual(self.text(lambda: dfs.delaunay3(points, progress=False)), "")
+        bad = points.copy()
+        bad[0, 0] = np.inf
+        self.assertEqual(self.text(lambda: self.assertRaises(ValueError, dfs.delaunay3, bad, progress=True)), "")
+        with self.assertRaisesRegex(TypeError, "^progress: expected a function, or True for a bar, got 'bar'$"):
+            dfs.delaunay3(points, progress="bar")
+        with tempfile.TemporaryDirectory() as folder:
+            np.save(f"{folder}/points.npy", points)
+            bars = self.bars(lambda: dfs.delaunay3_tiles(f"{folder}/points.npy", f"{folder}/tiles", tiles=3, progress=True))
+            self.assertEqual([bar.desc for bar in bars if bar.desc == "writing"], ["writing"])
+            self.assertTrue(all(bar.is_closed and bar.n == bar.total for bar in bars))
+            text = self.text(lambda: dfs.delaunay3_tiles(f"{folder}/points.npy", f"{folder}/more", tiles=3, progress=True))
+            self.assertRegex(text, r"\rwriting: 3 of 3\n$")
+            self.assertEqual(text.count("\n"), len(bars))
+
+    def test_threads_of_tiles(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = f"{folder}/points.npy"
+            np.save(file, random_points(500))
+            for k, names in enumerate(({"threads": 2}, {"workers": 2}, {"threads": None}, {"threads": 1, "workers": 2})):
+                self.assertEqual(len(dfs.delaunay3_tiles(file, f"{folder}/{k}", tiles=2, **names)), 2)
+            with self.assertRaisesRegex(TypeError, "^workers: it is another name of threads: give one of them$"):
+                dfs.delaunay3_tiles(file, f"{folder}/no", tiles=2, threads=2, workers=3)
+            for name in ("threads", "workers"):
+                for wrong, error in ((0, ValueError), ("2", TypeError), (2.5, TypeError)):
+                    with self.assertRaisesRegex(error, f"^{name}: expected a whole number"):
+                        dfs.delaunay3_tiles(file, f"{folder}/no", tiles=2, **{name: wrong})
+            self.assertFalse(Path(f"{folder}/no").exists())
+
+    def test_one_name_for_threads(self):
+        """Of all public functions and methods."""
+        for owner in (dfs, dfs.Delaunay3, dfs.Periodic3, dfs.PeriodicRegular3, cpp, tetgen.TetGen):
+            for name, member in vars(owner).items():
+                if inspect.isfunction(member) and not name.startswith("_") and member is not dfs.delaunay3_tiles:
+                    others = {"workers", "n_jobs", "jobs", "num_threads", "nthreads", "processes"}
+                    self.assertFalse(others & set(inspect.signature(member).parameters), name)
+
+    def test_arrays_for_files(self):
+        points = random_points(30)
+        says = r"expected the name of a file or folder, got an array of shape \(30, 3\): numpy.save\(\) writes it into a file$"
+        for given in (points, Tensor(points), [points]):
+            with self.assertRaisesRegex(TypeError, f"^files: {says}"):
+                dfs.delaunay3_tiles(given, "tiles")
+        with self.assertRaisesRegex(TypeError, "^files: expected the name of a file or folder, got int$"):
+            dfs.delaunay3_tiles([3], "tiles")
+        with tempfile.TemporaryDirectory() as folder:
+            np.save(f"{folder}/points.npy", points)
+            with self.assertRaisesRegex(TypeError, f"^output: {says}"):
+                dfs.delaunay3_tiles(f"{folder}/points.npy", points)
+            with self.assertRaisesRegex(TypeError, f"^folder: {says}"):
+                dfs.Tiles(points)
+            for missing in (f"{folder}/none.npy", [f"{folder}/points.npy", f"{folder}/none.npy"]):
+                with self.assertRaisesRegex(FileNotFoundError, "none.npy"):
+                    dfs.delaunay3_tiles(missing, f"{folder}/tiles")
+                with self.assertRaisesRegex(FileNotFoundError, "none.npy"):
+                    dfs.delaunay3_dask(missing, HereAndNow(), f"{folder}/tiles")
+            with self.assertRaisesRegex(TypeError, f"^output: {says}"):
+                dfs.delaunay3_dask(f"{folder}/points.npy", HereAndNow(), points)
+            for client in (None, f"{folder}/tiles", {}, 4):
+                with self.assertRaisesRegex(TypeError, f"^client: expected a distributed.Client, got {type(client).__name__}$"):
+                    dfs.delaunay3_dask(f"{folder}/points.npy", client, f"{folder}/tiles")
+            self.assertFalse(Path(f"{folder}/tiles").exists())
+
+    def test_faces_of_pyvista(self):
+        """In one array, with their numbers of corners: as `mesh.faces` has them. In a list they are refused, with what is expected."""
+        points = random_points(200)
+        hull = dfs.delaunay3(points).convex_hull
+        flat = np.insert(hull, 0, 3, axis=1).ravel()
+        np.testing.assert_array_equal(dfs.delaunay3(points, flat, inside=True).winding_numbers,
+                                      dfs.delaunay3(points, hull, inside=True).winding_numbers)
+        np.testing.assert_array_equal(dfs.subgraph(flat), dfs.subgraph(hull))
+        for use in (lambda faces: dfs.delaunay3(points, faces), lambda faces: dfs.delaunay3(points, faces, inside=True), dfs.subgraph):
+            with self.assertRaisesRegex(TypeError, "^faces: .*expected sequences of integers"):
+                use(flat.tolist())
+            with self.assertRaisesRegex(ValueError, r"^faces: expected an array of shape \(m, k\), got .* nor is it one of VTK's"):
+                use(hull.ravel())
+
+
+class HereAndNow:
+    """Stands for a client of Dask: what is submitted is done at once."""
+
+    def submit(self, function, *arguments, **keywords):
+        value = function(*arguments)
+        return types.SimpleNamespace(result=lambda: value)
+
+    def map(self, *arguments, **keywords):
+        raise NotImplementedError
+
+
+class Examples(unittest.TestCase):
+    def test_run(self):
+        done = subprocess.run([sys.executable, Path(__file__).with_name("examples") / "moving.py"], capture_output=True, text=True, check=True)
+        self.assertRegex(done.stdout, r"step 19: .* of \d+ tetrahedra are new, .* of \d+ edges")
+        self.assertIn("every step is what is made anew", done.stdout)
 
 
 if __name__ == "__main__":

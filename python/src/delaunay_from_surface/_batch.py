@@ -6,7 +6,9 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterable, List, Optional, SupportsIndex
+import threading
+from collections import deque
+from typing import Any, Dict, Iterable, List, Optional, SupportsIndex
 
 from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads
@@ -20,7 +22,7 @@ def delaunay3_batch(points: Iterable[Points], weights: Optional[Iterable[Optiona
                     ) -> List[Delaunay3]:
     """Return the triangulations of many sets of points: for each what `delaunay3` would return.
 
-    Each is made by one thread, so all arrays are the same at every call, whatever the number of threads.
+    Each is made by one thread, so all arrays are the same at every call, whatever the number of threads. Ctrl-C ends them all.
 
     Parameters
     ----------
@@ -40,34 +42,63 @@ def delaunay3_batch(points: Iterable[Points], weights: Optional[Iterable[Optiona
     ------
     ValueError, TypeError, OverflowError, MemoryError
         As `delaunay3`, with the number of the set: of several the first. And ValueError if there are not as many weights as sets.
-
-    Ctrl-C ends all threads.
     """
-    from concurrent.futures import ThreadPoolExecutor  # slower to import than the whole module
-
-    from . import delaunay3
     number = number_of_threads("threads", threads, most=None)
     sets = _sets_of("points", points, 3)
     of_sets: List[Any] = [None] * len(sets) if weights is None else _sets_of("weights", weights, 2)
     if len(of_sets) != len(sets):
         raise ValueError(f"weights: expected those of {len(sets)} sets, one array for each or None, got {len(of_sets)}")
-    settings: Any = {"box": None if box is None else periods_of(box), "neighbors": neighbors}
-    is_ended = False
+    batch = _Batch(sets, of_sets, box=None if box is None else periods_of(box), neighbors=neighbors)
+    others = [threading.Thread(target=batch.work) for _ in range(min(number, len(sets)) - 1)]
+    started: List[threading.Thread] = []
+    try:
+        for thread in others:
+            thread.start()
+            started.append(thread)
+        batch.work()
+        for thread in started:
+            thread.join()
+    except BaseException:  # such as KeyboardInterrupt, which is raised in this thread
+        batch.is_stopped = True
+        for thread in started:
+            thread.join()
+        raise
+    return batch.results()
 
-    def triangulated(k: int) -> Delaunay3:
-        try:
-            return delaunay3(sets[k], weights=of_sets[k], progress=lambda _: not is_ended, **settings)
-        except (ValueError, TypeError, OverflowError, MemoryError) as error:
+
+class _Batch:
+    """Sets that threads take one by one, in their order."""
+
+    def __init__(self, sets: List[Any], weights: List[Any], **settings: Any) -> None:
+        self._sets, self._weights, self._settings = sets, weights, settings
+        self._to_do = deque(range(len(sets)))
+        self._made: List[Any] = [None] * len(sets)
+        self._errors: Dict[int, Exception] = {}
+        self.is_stopped = False
+
+    def work(self) -> None:
+        """What each thread does. After an error no further set is begun, but those before it have been, and are ended."""
+        from . import delaunay3
+        while not self._errors and not self.is_stopped:
+            try:
+                k = self._to_do.popleft()
+            except IndexError:
+                return
+            try:
+                self._made[k] = delaunay3(self._sets[k], weights=self._weights[k], progress=lambda _: not self.is_stopped,
+                                          **self._settings)
+            except Exception as error:
+                self._errors[k] = error
+
+    def results(self) -> List[Delaunay3]:
+        """One for each set, if there was no error."""
+        if self._errors:
+            k = min(self._errors)
+            error = self._errors[k]
+            if not isinstance(error, (ValueError, TypeError, OverflowError, MemoryError)):
+                raise error
             raise type(error)(f"set {k}: {error}") from error
-    with ThreadPoolExecutor(number) as pool:
-        futures = [pool.submit(triangulated, k) for k in range(len(sets))]
-        try:
-            return [future.result() for future in futures]
-        except BaseException:
-            is_ended = True
-            for future in futures:
-                future.cancel()
-            raise
+        return self._made
 
 
 def _sets_of(name: str, given: Any, dimensions: int) -> List[Any]:

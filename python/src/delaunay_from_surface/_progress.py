@@ -7,7 +7,6 @@
 from __future__ import annotations
 
 import contextlib
-import importlib.util
 import sys
 from typing import Any, Callable, Iterator, Optional
 
@@ -17,7 +16,7 @@ class Bar:
 
     def __init__(self) -> None:
         self._makes: Any = None
-        if importlib.util.find_spec("tqdm") is not None:
+        with contextlib.suppress(ImportError):
             from tqdm.auto import tqdm
             self._makes = tqdm
         self._bar: Any = None
