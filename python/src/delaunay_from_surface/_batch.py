@@ -22,13 +22,14 @@ def delaunay3_batch(points: Iterable[Points], weights: Optional[Iterable[Optiona
                     ) -> List[Delaunay3]:
     """Return the triangulations of many sets of points: for each what `delaunay3` would return.
 
-    Each is made by one thread, so all arrays are the same at every call, whatever the number of threads. Ctrl-C ends them all.
+    Each is made by one thread, so all arrays are the same at every call, whatever the number of threads. Ctrl-C ends
+    them all.
 
     Parameters
     ----------
     points
-        A sequence of sets as `delaunay3` takes them: arrays or tensors of shape (n, 3), of any lengths. Or one array or tensor
-        of shape (b, n, 3) with b sets.
+        A sequence of sets as `delaunay3` takes them: arrays or tensors of shape (n, 3), of any lengths. Or one array or
+        tensor of shape (b, n, 3) with b sets.
     weights
         Those of each set, None for one that has none; or an array or tensor of shape (b, n).
     box
@@ -41,7 +42,8 @@ def delaunay3_batch(points: Iterable[Points], weights: Optional[Iterable[Optiona
     Raises
     ------
     ValueError, TypeError, OverflowError, MemoryError
-        As `delaunay3`, with the number of the set: of several the first. And ValueError if there are not as many weights as sets.
+        As `delaunay3`, with the number of the set: of several the first. And ValueError if there are not as many
+        weights as sets.
     """
     number = number_of_threads("threads", threads, most=None)
     sets = _sets_of("points", points, 3)
@@ -77,7 +79,7 @@ class _Batch:
         self.is_stopped = False
 
     def work(self) -> None:
-        """What each thread does. After an error no further set is begun, but those before it have been, and are ended."""
+        """What each thread does. After an error no further set is begun; those before it have been, and are ended."""
         from . import delaunay3
         while not self._errors and not self.is_stopped:
             try:
@@ -85,8 +87,8 @@ class _Batch:
             except IndexError:
                 return
             try:
-                self._made[k] = delaunay3(self._sets[k], weights=self._weights[k], progress=lambda _: not self.is_stopped,
-                                          **self._settings)
+                self._made[k] = delaunay3(self._sets[k], weights=self._weights[k],
+                                          progress=lambda _: not self.is_stopped, **self._settings)
             except Exception as error:
                 self._errors[k] = error
 
@@ -107,8 +109,10 @@ def _sets_of(name: str, given: Any, dimensions: int) -> List[Any]:
     shape = getattr(array, "shape", None)
     if shape is not None and len(shape) != dimensions:
         expected = "(b, n, 3)" if dimensions == 3 else "(b, n)"
-        raise ValueError(f"{name}: expected an array of shape {expected}, or a sequence with one for each set, got {tuple(shape)}")
+        raise ValueError(f"{name}: expected an array of shape {expected}, or a sequence with one for each set, "
+                         f"got {tuple(shape)}")
     try:
         return list(array)
     except TypeError:
-        raise TypeError(f"{name}: expected a sequence with one array for each set, got {type(given).__name__}") from None
+        kind = type(given).__name__
+        raise TypeError(f"{name}: expected a sequence with one array for each set, got {kind}") from None

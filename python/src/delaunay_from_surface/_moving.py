@@ -25,8 +25,9 @@ Corners = Tuple[Indices, Optional[Any]]
 class Changes:
     """What a step has changed. Simplices and edges are compared when they are first asked for, in linear time.
 
-    A simplex is its set of corners, and an edge that of its ends: indices of points, of equal ones the smallest, whatever their
-    places. In a periodic box, the offsets between them count as well; so points there should not be wrapped between steps.
+    A simplex is its set of corners, and an edge that of its ends: indices of points, of equal ones the smallest,
+    whatever their places. In a periodic box, the offsets between them count as well; so points there should not be
+    wrapped between steps.
     """
 
     before: Optional[Delaunay3]
@@ -36,8 +37,8 @@ class Changes:
     """The triangulation after it."""
 
     is_compared: bool
-    """Whether there were as many points before the step. Else nothing is known of what became of which: all points count as
-    moved, by an infinite distance, and all simplices and edges as gone or new."""
+    """Whether there were as many points before the step. Else nothing is known of what became of which: all points
+    count as moved, by an infinite distance, and all simplices and edges as gone or new."""
 
     moved: int
     """How many points have another place."""
@@ -95,8 +96,8 @@ class Changes:
 class Moving:
     """Points that move a little from step to step, as in an optimisation: `update()` triangulates them anew.
 
-    What helps the next step is kept: the order of insertion (see `InsertionOrder`; there is none in a periodic box), the weights
-    and the box. So is the last triangulation, and `changes` says in what it differs from the one before.
+    What helps the next step is kept: the order of insertion (see `InsertionOrder`; there is none in a periodic box),
+    the weights and the box. So is the last triangulation, and `changes` says in what it differs from the one before.
 
     Parameters
     ----------
@@ -109,8 +110,8 @@ class Moving:
     threads
         How many threads work; None: as many as there are processors.
     dtype
-        The type of `simplices`, `neighbors`, `edges` and what `changes` has: int32, or int64, which some functions of PyTorch
-        ask for. The triangulation itself has int32.
+        The type of `simplices`, `neighbors`, `edges` and what `changes` has: int32, or int64, which some functions of
+        PyTorch ask for. The triangulation itself has int32.
 
     Raises
     ------
@@ -118,8 +119,8 @@ class Moving:
         As `delaunay3`; and TypeError for another `dtype`.
     """
 
-    def __init__(self, points: Optional[Points] = None, *, weights: Optional[ArrayLike] = None, box: Optional[Box] = None,
-                 threads: Optional[SupportsIndex] = 1, dtype: Any = "int32") -> None:
+    def __init__(self, points: Optional[Points] = None, *, weights: Optional[ArrayLike] = None,
+                 box: Optional[Box] = None, threads: Optional[SupportsIndex] = 1, dtype: Any = "int32") -> None:
         self._weights = None if weights is None else _core.read_alike(weights, "weights")
         self._box = None if box is None else periods_of(box)
         self._threads = number_of_threads("threads", threads)
@@ -135,9 +136,9 @@ class Moving:
     def update(self, points: Points, weights: Optional[ArrayLike] = None) -> Delaunay3:
         """Triangulate the points at their places now, and return the triangulation: what `delaunay3` would return.
 
-        `points` is an array of shape (n, 3), or a tensor on any device. It is copied, so it may be changed in place afterwards, as
-        optimisers do. `weights` are new ones; if they are left out, the last ones count. There may be more or fewer points
-        than before. What is refused changes nothing. Raises what `delaunay3` does.
+        `points` is an array of shape (n, 3), or a tensor on any device. It is copied, so it may be changed in place
+        afterwards, as optimisers do. `weights` are new ones; if they are left out, the last ones count. There may be
+        more or fewer points than before. What is refused changes nothing. Raises what `delaunay3` does.
         """
         from . import delaunay3
         array = np.array(_core.array_of_points(points, "points"), subok=False)

@@ -44,7 +44,7 @@ class Bar:
 
 @contextlib.contextmanager
 def shown(progress: Any, step: Callable[[Bar], Callable[..., object]]) -> Iterator[Optional[Callable[..., object]]]:
-    """What to call with the progress: the caller's function, or for True step(bar), which shows it; None if nothing is asked."""
+    """What to call with the progress: the caller's function, or for True step(bar), which shows it; else None."""
     if progress is None or progress is False:
         yield None
     elif progress is not True:

@@ -93,7 +93,8 @@ def name_of(argument: str, place: Any) -> bytes:
     if isinstance(place, (str, bytes, os.PathLike)):
         return os.fsencode(place)
     shape = getattr(place, "shape", None)
-    what = type(place).__name__ if shape is None else f"an array of shape {tuple(shape)}: numpy.save() writes it into a file"
+    of_array = f"an array of shape {tuple(shape or ())}: numpy.save() writes it into a file"
+    what = type(place).__name__ if shape is None else of_array
     raise TypeError(f"{argument}: expected the name of a file or folder, got {what}")
 
 

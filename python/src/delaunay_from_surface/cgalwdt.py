@@ -47,7 +47,8 @@ class CGALWDTStruct:
         Parameters
         ----------
         points
-            An object with `positions` (n, 3) and `weights` (n,): tensors on any device, or arrays; then the result has arrays.
+            An object with `positions` (n, 3) and `weights` (n,): tensors on any device, or arrays; then the result has
+            arrays.
         weighted, p_lock_grid_size
             Not used: the original's weights always count, too, and there is no grid of locks.
         parallelize
