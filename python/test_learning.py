@@ -16,7 +16,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import textwrap
 import threading
 import time
 import types
@@ -29,7 +28,7 @@ import numpy as np
 import delaunay_from_surface as dfs
 from delaunay_from_surface import _delaunay_from_surface as core
 from delaunay_from_surface import cgalwdt, cpp, tetgen
-from test_module import cell_set, random_points
+from test_module import ROOT, cell_set, random_points
 
 
 class Tensor:
@@ -427,85 +426,25 @@ def recorded(k):
     return points.astype(np.float32), (random.random_sample(n) * spacing ** 2).astype(np.float32)
 
 
-TETGEN = """
-    #define TETLIBRARY
-    #include <tetgen.h>
-    #include <cstdio>
-    int main()
-    {
-      int n;
-      if (std::fread(&n, sizeof(n), 1, stdin) != 1)
-        return 1;
-      tetgenio in, out;
-      in.numberofpoints = n;
-      in.pointlist = new REAL[3 * n];
-      if (std::fread(in.pointlist, sizeof(REAL), 3 * n, stdin) != std::size_t(3 * n))
-        return 1;
-      char switches[] = "Q";
-      tetrahedralize(switches, &in, &out);
-      std::fwrite(out.tetrahedronlist, sizeof(int), 4 * out.numberoftetrahedra, stdout);
-    }
-    """
-
-CGAL = """
-    #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-    #include <CGAL/Regular_triangulation_3.h>
-    #include <CGAL/Triangulation_vertex_base_with_info_3.h>
-    #include <cstdio>
-    #include <utility>
-    #include <vector>
-    using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-    using Base = CGAL::Regular_triangulation_vertex_base_3<K>;
-    using Vertex = CGAL::Triangulation_vertex_base_with_info_3<int, K, Base>;
-    using Tds = CGAL::Triangulation_data_structure_3<Vertex, CGAL::Regular_triangulation_cell_base_3<K>>;
-    using Regular = CGAL::Regular_triangulation_3<K, Tds>;
-    int main()
-    {
-      int n;
-      while (std::fread(&n, sizeof(n), 1, stdin) == 1) {
-        std::vector<double> numbers(4 * n);
-        if (std::fread(numbers.data(), sizeof(double), 4 * n, stdin) != std::size_t(4 * n))
-          return 1;
-        std::vector<std::pair<Regular::Weighted_point, int>> points;
-        for (int i = 0; i < n; ++i) {
-          const double* p = numbers.data() + 4 * i;
-          points.emplace_back(Regular::Weighted_point(K::Point_3(p[0], p[1], p[2]), p[3]), i);
-        }
-        const Regular regular(points.begin(), points.end());
-        const int m = int(regular.number_of_finite_cells());
-        std::fwrite(&m, sizeof(m), 1, stdout);
-        for (auto c = regular.finite_cells_begin(); c != regular.finite_cells_end(); ++c) {
-          const auto center = regular.dual(c);
-          double row[7] = {0, 0, 0, 0, center.x(), center.y(), center.z()};
-          for (int k = 0; k < 4; ++k)
-            row[k] = c->vertex(k)->info();
-          std::fwrite(row, sizeof(double), 7, stdout);
-        }
-      }
-    }
-    """
-
-
 class StandIns(unittest.TestCase):
     """What stands for the triangulations of others, against these."""
 
-    def compiled(self, header, source, *options):
-        """The program, if its header is found."""
+    def compiled(self, name, header, *options):
+        """The program of the benchmark that has the other's tetrahedra, if the other's header is found."""
+        source = ROOT / "benchmark/Delaunay_from_surface_3" / f"{name}.cpp"
         compiler = shutil.which("c++")
-        if compiler is None or subprocess.run([compiler, "-x", "c++", "-include", header, "-E", os.devnull],
-                                              stdout=subprocess.DEVNULL,
-                                              stderr=subprocess.DEVNULL, check=False).returncode != 0:
+        look = [compiler, "-x", "c++", "-include", header, "-E", os.devnull]
+        if compiler is None or subprocess.run(look, capture_output=True, check=False).returncode != 0:
             self.skipTest(f"skipped: {header} was not found")
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        file, program = Path(folder.name) / "peer.cpp", Path(folder.name) / "peer"
-        file.write_text(textwrap.dedent(source), encoding="utf-8")
-        subprocess.run([compiler, "-std=c++17", "-DNDEBUG", "-frounding-math", "-w", file, "-o", program, *options],
+        program = Path(folder.name) / name
+        subprocess.run([compiler, "-std=c++17", "-DNDEBUG", "-frounding-math", "-w", source, "-o", program, *options],
                        check=True)
         return program
 
     def test_against_tetgen(self):
-        program = self.compiled("tetgen.h", TETGEN, "-ltet")
+        program = self.compiled("cells_of_tetgen", "tetgen.h", "-ltet")
         for k in range(10):
             points = recorded(k)[0]
             given = np.int32(len(points)).tobytes() + points.astype(float).tobytes()
@@ -516,7 +455,7 @@ class StandIns(unittest.TestCase):
             np.testing.assert_array_equal(nodes, points)
 
     def test_against_cgal(self):
-        program = self.compiled("CGAL/Regular_triangulation_3.h", CGAL, "-lmpfr", "-lgmp")
+        program = self.compiled("cells_of_cgal", "CGAL/Regular_triangulation_3.h", "-lmpfr", "-lgmp")
         sets = [recorded(k) for k in range(10)]
         lattice = np.array(list(itertools.product(range(6), repeat=3)), dtype=np.float32)
         sets += [(lattice, np.zeros(216, dtype=np.float32)), (lattice, (np.arange(216) % 5 == 0).astype(np.float32)),
