@@ -240,7 +240,7 @@ class Motion(unittest.TestCase):
 
     def test_steps(self):
         for threads in (1, 3):
-            points, moving = random_points(6000 if threads == 3 else 300), dfs.Moving(threads=threads)
+            points, moving = random_points(9000 if threads == 3 else 300), dfs.Moving(threads=threads)
             with self.assertRaisesRegex(ValueError, r"there is no triangulation yet: call update\(points\)"):
                 moving.simplices
             self.assertEqual(repr(moving), "<Moving: nothing yet>")

@@ -94,7 +94,8 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
     points
         Array of shape (n, 3) with finite numbers. float64 and float32 are read where they are, and the result refers
         to them; other integers and reals are rounded to float64 first, so integers beyond 2**53 may coincide. They
-        are copied while the order is made, so another thread may change them.
+        are copied while the order is made, so another thread may change them. Here and wherever numbers are asked
+        for, a tensor of PyTorch may be on any device, and require a gradient, and an array of CuPy is read as well.
     faces
         Indices of points: an integer array of shape (m, k), or a sequence of sequences of any lengths.
         They need not be a manifold. They are checked, and used by `inside`; the simplices do not depend on them.
