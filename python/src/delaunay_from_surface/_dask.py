@@ -13,7 +13,6 @@ from __future__ import annotations
 import contextlib
 import os
 import re
-import uuid
 from pathlib import Path
 from typing import Any, Dict, Iterable, List, Optional, SupportsIndex, Tuple, Union
 
@@ -130,7 +129,7 @@ class _Run:
 
     def call(self, name: str, function: Any, *arguments: Any) -> Any:
         """What one worker returns: it, too, may die and be replaced."""
-        return self.client.submit(function, *arguments, key=f"{name}-{uuid.uuid4()}", pure=False).result()
+        return self.client.submit(function, *arguments, key=f"{name}-{_unique()}", pure=False).result()
 
     def to_the_end(self, tiles: int) -> None:
         starts_again = tiles == 0
@@ -151,12 +150,17 @@ class _Run:
         """Its tasks. Returns with how many tiles to begin again, if one was too large."""
         from distributed import as_completed, wait
         futures = self.client.map(_do_task, range(number), places=self.places, tiles=tiles, how=self.how,
-                                  starts_again=starts_again, pure=False, key=f"{name}-{uuid.uuid4()}")
+                                  starts_again=starts_again, pure=False, key=f"{name}-{_unique()}")
         try:
             return max(future.result() for future in as_completed(futures))
         except Exception:
             wait(futures)  # so that nobody writes any more
             raise
+
+
+def _unique() -> str:
+    """Part of a name that nobody else has: uuid is slower to import than most of this package."""
+    return os.urandom(16).hex()
 
 
 def _names_of(files: List[str], folder: str) -> Tuple[List[bytes], bytes]:
@@ -208,7 +212,7 @@ def _write_array(points: Any, client: Any, folder: Path) -> List[str]:
     _core.array_of_points(meta.reshape(0, 3), "points")
     chunks = points.rechunk({1: 3}).to_delayed().ravel()
     files = [str(folder / f"{k:05}.npy") for k in range(len(chunks))]
-    client.submit(_claim, str(folder), points.name, key=f"claim-{uuid.uuid4()}", pure=False).result()
+    client.submit(_claim, str(folder), points.name, key=f"claim-{_unique()}", pure=False).result()
     write = delayed(_write_chunk, pure=False)
     writes = [write(chunk, file) for chunk, file in zip(chunks, files)]
     written = client.compute(writes)
@@ -224,7 +228,7 @@ def _claim(folder: str, name: str) -> None:
     if not note.exists():
         if any(re.fullmatch(r"[0-9]{5,}\.npy", file.name) for file in note.parent.iterdir()):
             raise OSError(f"{folder}: has files of points that are not of this array: name another folder for the tiles")
-        aside = note.with_name(f"name-{uuid.uuid4()}.unfinished")
+        aside = note.with_name(f"name-{_unique()}.unfinished")
         aside.write_text(name, encoding="utf-8")
         os.replace(aside, note)
     elif note.read_text(encoding="utf-8") != name:
@@ -236,7 +240,7 @@ def _write_chunk(chunk: Any, file: str) -> None:
     place = Path(file)
     if place.exists():
         return
-    aside = place.with_name(f"{place.name}-{uuid.uuid4()}.unfinished")
+    aside = place.with_name(f"{place.name}-{_unique()}.unfinished")
     try:
         with open(aside, "wb") as stream:
             np.save(stream, np.ascontiguousarray(_core.array_of_points(chunk, "points"), dtype=np.float64))

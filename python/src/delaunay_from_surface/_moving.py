@@ -12,11 +12,10 @@ from typing import Any, Optional, SupportsIndex, Tuple
 import numpy as np
 
 from . import _delaunay_from_surface as _core
-from ._arguments import number_of_threads
+from ._arguments import index_type, number_of_threads
 from ._delaunay_from_surface import InsertionOrder
 from ._periodic import Periodic3, periods_of
 from ._result import Delaunay3
-from ._tensors import index_type
 from ._types import ArrayLike, Box, Indices, Points, Reals
 
 Corners = Tuple[Indices, Optional[Any]]

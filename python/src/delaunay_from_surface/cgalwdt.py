@@ -20,7 +20,7 @@ import numpy as np
 
 from . import _delaunay_from_surface as _core
 from . import delaunay3
-from ._tensors import as_given, index_type
+from ._arguments import as_given, index_type
 
 __all__ = ["CGALWDTStruct"]
 

@@ -18,7 +18,7 @@ from typing import Any, Optional, SupportsIndex
 import numpy as np
 
 from . import delaunay3
-from ._tensors import as_given, index_type
+from ._arguments import as_given, index_type
 
 __all__ = ["triangulate"]
 
