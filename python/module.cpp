@@ -264,4 +264,5 @@ PYBIND11_MODULE(_delaunay_from_surface, m)
   python::define_inside(m);
   python::define_tiles(m);
   python::define_filtration(m);
+  python::define_learning(m);
 }

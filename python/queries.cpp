@@ -42,6 +42,7 @@ using python::array_from;
 using python::checked_copy;
 using python::In_box;
 using python::Index;
+using python::number_as_met;
 using python::Numbers;
 using python::Point_of;
 using python::Points;
@@ -61,29 +62,6 @@ auto with_corners(std::size_t corners, const F& f)
   default:
     throw py::value_error("simplices: expected an array of shape (m, d + 1)");
   }
-}
-
-// Renumbers points 0, …, n-1 in the order in which they are met as corners, and the rest after
-// them, so that points that are near in space are near in memory. Negative numbers stay. Returns
-// the old numbers.
-std::vector<Index> number_as_met(Index* corners, std::size_t number_of_corners, std::size_t n,
-                                 const core::Executor& executor)
-{
-  core::Steps step(executor);
-  std::vector<Index> number_of(n, -1), met;
-  met.reserve(n);
-  const auto number = [&](Index v) {
-    if (number_of[std::size_t(v)] < 0) {
-      number_of[std::size_t(v)] = Index(met.size());
-      met.push_back(v);
-    }
-    return number_of[std::size_t(v)];
-  };
-  for (std::size_t i = 0; i < number_of_corners; ++i, step())
-    corners[i] = corners[i] < 0 ? corners[i] : number(corners[i]);
-  for (std::size_t i = 0; i < n; ++i)
-    number(Index(i));
-  return met;
 }
 
 Numbers neighbors(const Numbers& simplices, std::size_t n, std::size_t threads)
@@ -573,6 +551,10 @@ void python::define_queries(py::module_& m)
     return python::array_of_points(object, name);
   });
   m.def("array_of_weights", &python::array_of_weights);
+  m.def("read_alike", [](const py::object& object, const std::string& name) -> py::object {
+    const bool is_read = python::is_array_alike(object) && !py::isinstance<py::array>(object);
+    return is_read ? py::object(python::array_from_any(name, object, "numbers")) : object;
+  });
   m.def("neighbors", &neighbors);
   m.def("find_simplex", &find_simplex);
   m.def("find_copies", &find_copies);

@@ -28,7 +28,12 @@ inline bool interpreter_ends()
 #endif
 }
 
-// True in the thread that ends the interpreter, while it calls this module: it keeps the lock.
+// True in the thread that ends the interpreter, while it calls this module: it keeps the lock. With
+// glibc each thread then gets the memory for the module's own data when it begins, not when it
+// first throws: if there were none left, glibc would abort.
+#ifdef __GLIBC__
+__attribute__((tls_model("initial-exec")))
+#endif
 inline thread_local bool ends_interpreter = false;
 
 [[noreturn]] inline void wait_for_the_end()

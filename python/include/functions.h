@@ -27,6 +27,7 @@ void define_queries(pybind11::module_& m);
 void define_inside(pybind11::module_& m);
 void define_tiles(pybind11::module_& m);
 void define_filtration(pybind11::module_& m);
+void define_learning(pybind11::module_& m);
 
 } // namespace python
 

@@ -148,10 +148,23 @@ inline void refuse_mask(const std::string& name, const py::object& object)
     throw py::value_error(name + ": a masked array is not read; leave out what is masked");
 }
 
+// Returns what lies in the host's memory. A tensor of PyTorch that requires a gradient or is on a
+// device, and an array of CuPy, do not let NumPy read them: the values are taken, and copied where
+// they are not in this memory. The object itself is returned if it is no such thing.
+inline py::object on_host(const py::object& object)
+{
+  if (py::hasattr(object, "detach") && py::hasattr(object, "cpu"))
+    return object.attr("detach")().attr("cpu")().attr("numpy")();
+  if (py::hasattr(object, "__cuda_array_interface__") && py::hasattr(object, "get"))
+    return object.attr("get")();
+  return object;
+}
+
 // Returns what NumPy makes of an object. An object that can be read only once is put into a list
 // first, and one that has only the protocol of DLPack is read by that.
-inline py::object array_or_alike(const py::object& object)
+inline py::object array_or_alike(const py::object& given)
 {
+  const py::object object = on_host(given);
   const py::module_ numpy = py::module_::import("numpy");
   if (py::isinstance<py::iterator>(object))
     return numpy.attr("asanyarray")(py::list(object));
@@ -276,11 +289,13 @@ inline std::vector<std::vector<std::int64_t>> faces_of_vtk(const py::array& arra
   return faces;
 }
 
-// Returns whether an object is not an array, but is read as one.
+// Returns whether an object is an array, or is read as one.
 inline bool is_array_alike(const py::object& object)
 {
-  return py::isinstance<py::memoryview>(object) || py::hasattr(object, "__array__") ||
-         py::hasattr(object, "__dlpack__");
+  for (const char* const name : {"__array__", "__array_interface__", "__dlpack__", "detach"})
+    if (py::hasattr(object, name))
+      return true;
+  return py::isinstance<py::memoryview>(object);
 }
 
 // Calls f(faces) with a range of ranges of indices.
@@ -288,7 +303,7 @@ template <class F>
 auto with_faces(const py::object& object, const F& f)
 {
   refuse_mask("faces", object);
-  if (py::isinstance<py::array>(object) || is_array_alike(object)) {
+  if (is_array_alike(object)) {
     const py::array array = array_of("faces", object, "iu", "integers", "int64");
     if (array.ndim() == 1)
       return f(faces_of_vtk(array));

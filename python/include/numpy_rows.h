@@ -9,6 +9,8 @@
 
 #include "numpy_ranges.h"
 
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -99,6 +101,30 @@ inline std::vector<Index> checked_copy(const Rows& rows, std::size_t n)
     for (std::size_t k = 0; k < rows.corners(); ++k)
       copy.push_back(rows.number(i, k, n));
   return copy;
+}
+
+// Renumbers points 0, …, n-1 in the order in which they are met as corners, and the rest after
+// them, so that points that are near in space are near in memory. Negative numbers stay. Returns
+// the old numbers.
+inline std::vector<Index>
+number_as_met(Index* corners, std::size_t number_of_corners, std::size_t n,
+              const CGAL::Delaunay_from_surface_3::core::Executor& executor)
+{
+  CGAL::Delaunay_from_surface_3::core::Steps step(executor);
+  std::vector<Index> number_of(n, -1), met;
+  met.reserve(n);
+  const auto number = [&](Index v) {
+    if (number_of[std::size_t(v)] < 0) {
+      number_of[std::size_t(v)] = Index(met.size());
+      met.push_back(v);
+    }
+    return number_of[std::size_t(v)];
+  };
+  for (std::size_t i = 0; i < number_of_corners; ++i, step())
+    corners[i] = corners[i] < 0 ? corners[i] : number(corners[i]);
+  for (std::size_t i = 0; i < n; ++i)
+    number(Index(i));
+  return met;
 }
 
 } // namespace python

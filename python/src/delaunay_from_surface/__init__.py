@@ -22,20 +22,24 @@ import numpy as np
 
 from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads, whole_number
+from ._batch import delaunay3_batch
 from ._dask import DaskTiles, delaunay3_dask
 from ._delaunay_from_surface import InsertionOrder, Stopped, __version__ as __version__
 from ._filtration import Filtration, filtration
+from ._moving import Changes, Moving
 from ._periodic import (Periodic3, PeriodicAlphaComplex, PeriodicNeighbors, PeriodicPowerFacets, PeriodicRegular3, SimplexCopies,
                         periods_of)
+from ._progress import Bar, shown
 from ._regular import PowerFacets, Regular3, WeightedAlphaComplex
 from ._result import AlphaComplex, Delaunay3, InsideFigures
 from ._tiles import Tile, Tiles, delaunay3_tiles
-from ._types import ArrayLike, Box, Faces, Indices, Points, Reals
+from ._types import ArrayLike, Box, Faces, Indices, Points, Progress, Reals
 
-__all__ = ["AlphaComplex", "DaskTiles", "Delaunay3", "Filtration", "InsertionOrder", "InsideFigures", "Periodic3",
-           "PeriodicAlphaComplex", "PeriodicNeighbors", "PeriodicPowerFacets", "PeriodicRegular3", "PowerFacets", "Regular3",
-           "SimplexCopies", "Stopped", "SurfaceComponent", "Tile", "Tiles", "WeightedAlphaComplex", "delaunay3",
-           "delaunay3_dask", "delaunay3_tiles", "filtration", "subgraph", "surface_topology"]
+__all__ = ["AlphaComplex", "Changes", "DaskTiles", "Delaunay3", "Filtration", "InsertionOrder", "InsideFigures",
+           "Moving", "Periodic3", "PeriodicAlphaComplex", "PeriodicNeighbors", "PeriodicPowerFacets",
+           "PeriodicRegular3", "PowerFacets", "Regular3", "SimplexCopies", "Stopped", "SurfaceComponent",
+           "Tile", "Tiles", "WeightedAlphaComplex", "delaunay3", "delaunay3_batch", "delaunay3_dask",
+           "delaunay3_tiles", "filtration", "subgraph", "surface_topology"]
 
 
 class SurfaceComponent(NamedTuple):
@@ -57,32 +61,32 @@ class SurfaceComponent(NamedTuple):
 @overload
 def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: None = None, box: None = None,
               neighbors: bool = False, inside: bool = False, seed: SupportsIndex = 0,
-              progress: Optional[Callable[[float], object]] = None, threads: Optional[SupportsIndex] = 1,
+              progress: Progress = None, threads: Optional[SupportsIndex] = 1,
               order: Optional[InsertionOrder] = None) -> Delaunay3: ...
 
 
 @overload
 def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: ArrayLike, box: None = None,
               neighbors: bool = False, inside: bool = False, seed: SupportsIndex = 0,
-              progress: Optional[Callable[[float], object]] = None, threads: Optional[SupportsIndex] = 1,
+              progress: Progress = None, threads: Optional[SupportsIndex] = 1,
               order: Optional[InsertionOrder] = None) -> Regular3: ...
 
 
 @overload
 def delaunay3(points: Points, faces: None = None, *, weights: None = None, box: Box, neighbors: bool = False,
-              inside: bool = False, seed: SupportsIndex = 0, progress: Optional[Callable[[float], object]] = None,
+              inside: bool = False, seed: SupportsIndex = 0, progress: Progress = None,
               threads: Optional[SupportsIndex] = 1, order: None = None) -> Periodic3: ...
 
 
 @overload
 def delaunay3(points: Points, faces: None = None, *, weights: ArrayLike, box: Box, neighbors: bool = False,
-              inside: bool = False, seed: SupportsIndex = 0, progress: Optional[Callable[[float], object]] = None,
+              inside: bool = False, seed: SupportsIndex = 0, progress: Progress = None,
               threads: Optional[SupportsIndex] = 1, order: None = None) -> PeriodicRegular3: ...
 
 
 def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optional[ArrayLike] = None,
               box: Optional[Box] = None, neighbors: bool = False, inside: bool = False, seed: SupportsIndex = 0,
-              progress: Optional[Callable[[float], object]] = None, threads: Optional[SupportsIndex] = 1,
+              progress: Progress = None, threads: Optional[SupportsIndex] = 1,
               order: Optional[InsertionOrder] = None) -> Delaunay3:
     """Return the Delaunay triangulation of points in space or in a periodic box, or the regular triangulation of points
     with weights.
@@ -92,7 +96,8 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
     points
         Array of shape (n, 3) with finite numbers. float64 and float32 are read where they are, and the result refers
         to them; other integers and reals are rounded to float64 first, so integers beyond 2**53 may coincide. They
-        are copied while the order is made, so another thread may change them.
+        are copied while the order is made, so another thread may change them. Here and wherever numbers are asked
+        for, a tensor of PyTorch may be on any device, and require a gradient, and an array of CuPy is read as well.
     faces
         Indices of points: an integer array of shape (m, k), or a sequence of sequences of any lengths.
         They need not be a manifold. They are checked, and used by `inside`; the simplices do not depend on them.
@@ -117,7 +122,8 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
     progress
         Is called about every 50 ms with the share of the points that are inserted, and at last with 1. If it
         returns False, the work stops and `Stopped` is raised; what it raises is passed on. It is called, and
-        Ctrl-C is seen, once the order of the points is made. The interpreter lock is released in between.
+        Ctrl-C is seen, once the order of the points is made. The interpreter lock is released in between. True shows a
+        bar of tqdm on stderr, or a line of text where there is no tqdm.
     threads
         How many threads work, at most 64; None: as many as there are processors. With more than one the simplices
         are the same in another order at every call. Few points take longer with two than with one: the README has
@@ -154,16 +160,18 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
     array = np.asarray(_core.array_of_points(points, "points"))  # not one of a derived class
     array_of_weights = None if weights is None else _core.array_of_weights(weights, len(array))
     if inside:
+        faces = _core.read_alike(faces, "faces")
         if weights is not None:
             raise ValueError("inside: the points have weights: those of the faces may be hidden")
         if faces is None:
             raise ValueError("inside: there are no faces")
-        if not (isinstance(faces, memoryview) or hasattr(faces, "__array__") or hasattr(faces, "__dlpack__")):
+        if not isinstance(faces, np.ndarray):
             faces = _kept(faces)
     if order is not None and not isinstance(order, InsertionOrder):
         raise TypeError(f"order: expected an InsertionOrder, got {type(order).__name__}")
-    simplices, across, vertices, dimension = _core.delaunay3(array, faces, neighbors, chosen, progress, number, order,
-                                                             array_of_weights)
+    with shown(progress, _show_share) as called:
+        simplices, across, vertices, dimension = _core.delaunay3(array, faces, neighbors, chosen, called, number, order,
+                                                                 array_of_weights)
     if array_of_weights is not None:
         array_of_weights.flags.writeable = False
         return Regular3(array_of_weights, array, simplices, across, vertices, dimension, number)
@@ -177,7 +185,7 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
 
 
 def _in_box(points: Points, faces: Optional[Faces], weights: Optional[ArrayLike], box: Reals, inside: bool,
-            seed: SupportsIndex, progress: Optional[Callable[[float], object]], threads: Optional[SupportsIndex],
+            seed: SupportsIndex, progress: Progress, threads: Optional[SupportsIndex],
             order: Optional[InsertionOrder]) -> Periodic3:
     """What `delaunay3` returns for a box."""
     if faces is not None or inside:
@@ -188,13 +196,18 @@ def _in_box(points: Points, faces: Optional[Faces], weights: Optional[ArrayLike]
     number = number_of_threads("threads", threads)
     array = np.asarray(_core.array_of_points(points, "points"))
     array_of_weights = None if weights is None else _core.array_of_weights(weights, len(array))
-    views, offsets, is_simplicial_complex = _core.periodic3(array, box, chosen, progress, number, array_of_weights)
+    with shown(progress, _show_share) as called:
+        views, offsets, is_simplicial_complex = _core.periodic3(array, box, chosen, called, number, array_of_weights)
     simplices, across, vertices, dimension = views
     arguments = (array, simplices, across, vertices, dimension, number)
     if array_of_weights is None:
         return Periodic3(box, offsets, is_simplicial_complex, *arguments)
     array_of_weights.flags.writeable = False
     return PeriodicRegular3(box, offsets, is_simplicial_complex, array_of_weights, *arguments)
+
+
+def _show_share(bar: Bar) -> Callable[[float], object]:
+    return lambda share: bar.show("percent of the points", round(100 * share), 100)
 
 
 def _kept(faces: Iterable[Iterable[SupportsIndex]]) -> List[Tuple[SupportsIndex, ...]]:

@@ -2,13 +2,16 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
-"""Numbers that are given by name, and refused by name."""
+"""Arguments that are refused by name, and what is given back as they were given."""
 
 from __future__ import annotations
 
 import operator
 import os
-from typing import Optional, SupportsIndex
+import sys
+from typing import Any, Optional, SupportsIndex
+
+import numpy as np
 
 
 def whole_number(name: str, value: SupportsIndex, least: int, most: Optional[int], besides: str = "") -> int:
@@ -33,3 +36,24 @@ def number_of_threads(name: str, threads: Optional[SupportsIndex], most: Optiona
         return whole_number(name, threads, 1, most, ", or None for all")
     number = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     return number if most is None else min(number, most)
+
+
+def index_type(dtype: Any) -> Any:
+    """The type of indices: int32 or int64, by NumPy's name for it or by PyTorch's."""
+    name = str(dtype)
+    try:
+        kind = np.dtype(name[6:] if name.startswith("torch.") else dtype)
+    except TypeError:
+        kind = None
+    if kind not in (np.dtype(np.int32), np.dtype(np.int64)):
+        raise TypeError(f"dtype: expected int32 or int64, got {dtype!r}")
+    return kind
+
+
+def as_given(points: Any, array: Any) -> Any:
+    """The array as a tensor on the points' device, if these are a tensor of PyTorch; else the array itself.
+    PyTorch is not imported here, so it must have been."""
+    torch = sys.modules.get("torch")
+    if torch is None or not isinstance(points, torch.Tensor):
+        return array
+    return torch.from_numpy(array).to(points.device)

@@ -13,14 +13,13 @@ from __future__ import annotations
 import contextlib
 import os
 import re
-import uuid
 from pathlib import Path
 from typing import Any, Dict, Iterable, List, Optional, SupportsIndex, Tuple, Union
 
 import numpy as np
 
 from . import _delaunay_from_surface as _core
-from ._tiles import Place, Tile, Tiles, bytes_of, number_of_tiles
+from ._tiles import Place, Tile, Tiles, bytes_of, name_of, names_of, number_of_tiles
 from ._types import Places
 
 
@@ -89,10 +88,14 @@ def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int
 
     Raises
     ------
+    FileNotFoundError
+        If a worker does not see one of the files.
     OSError
         If a file cannot be read or written, or is not what it should be, or the folder is that of another input.
     ValueError
         If a coordinate is not a finite number, all points lie in one plane, or an argument is out of range.
+    TypeError
+        If the client is none, or points are neither files nor a `dask.array`.
     MemoryError
         If a tile keeps more points than it may, and more tiles do not help or their number was given.
     distributed.KilledWorker
@@ -105,9 +108,11 @@ def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int
     A round has a task for each tile that was told of something in the one before, and no others; in the dashboard they
     are named after the round. The number of rounds is about six, whatever the number of points.
     """
+    if not (callable(getattr(client, "submit", None)) and callable(getattr(client, "map", None))):
+        raise TypeError(f"client: expected a distributed.Client, got {type(client).__name__}")
     number = number_of_tiles(tiles)
     how = bytes_of(memory), vtu
-    folder = os.fsdecode(output)
+    folder = os.fsdecode(name_of("output", output))
     files = _files_of(points, client, folder)
     run = _Run(client, (files, folder), how, files if hasattr(points, "to_delayed") else [])
     run.to_the_end(number)
@@ -124,7 +129,7 @@ class _Run:
 
     def call(self, name: str, function: Any, *arguments: Any) -> Any:
         """What one worker returns: it, too, may die and be replaced."""
-        return self.client.submit(function, *arguments, key=f"{name}-{uuid.uuid4()}", pure=False).result()
+        return self.client.submit(function, *arguments, key=f"{name}-{_unique()}", pure=False).result()
 
     def to_the_end(self, tiles: int) -> None:
         starts_again = tiles == 0
@@ -145,12 +150,17 @@ class _Run:
         """Its tasks. Returns with how many tiles to begin again, if one was too large."""
         from distributed import as_completed, wait
         futures = self.client.map(_do_task, range(number), places=self.places, tiles=tiles, how=self.how,
-                                  starts_again=starts_again, pure=False, key=f"{name}-{uuid.uuid4()}")
+                                  starts_again=starts_again, pure=False, key=f"{name}-{_unique()}")
         try:
             return max(future.result() for future in as_completed(futures))
         except Exception:
             wait(futures)  # so that nobody writes any more
             raise
+
+
+def _unique() -> str:
+    """Part of a name that nobody else has: uuid is slower to import than most of this package."""
+    return os.urandom(16).hex()
 
 
 def _names_of(files: List[str], folder: str) -> Tuple[List[bytes], bytes]:
@@ -159,7 +169,7 @@ def _names_of(files: List[str], folder: str) -> Tuple[List[bytes], bytes]:
 
 # Functions of an extension cannot be sent to workers; these can.
 def _next(files: List[str], folder: str, *how: Any) -> Tuple[int, str, int]:
-    number, stage, tiles = _core.next_of_tiles(*_names_of(files, folder), *how)
+    number, stage, tiles = _core.next_of_tiles(names_of(files), os.fsencode(folder), *how)
     return number, stage, tiles
 
 
@@ -188,7 +198,7 @@ def _files_of(points: Any, client: Any, folder: str) -> List[str]:
     if not hasattr(points, "to_delayed"):
         if isinstance(points, np.ndarray) or not isinstance(points, Iterable):
             raise TypeError("points: files or a dask.array are needed; dask.array.from_array makes one of NumPy's")
-        return [os.fsdecode(file) for file in points]
+        return [os.fsdecode(name_of("points", file)) for file in points]
     return _write_array(points, client, Path(folder) / "points")
 
 
@@ -202,7 +212,7 @@ def _write_array(points: Any, client: Any, folder: Path) -> List[str]:
     _core.array_of_points(meta.reshape(0, 3), "points")
     chunks = points.rechunk({1: 3}).to_delayed().ravel()
     files = [str(folder / f"{k:05}.npy") for k in range(len(chunks))]
-    client.submit(_claim, str(folder), points.name, key=f"claim-{uuid.uuid4()}", pure=False).result()
+    client.submit(_claim, str(folder), points.name, key=f"claim-{_unique()}", pure=False).result()
     write = delayed(_write_chunk, pure=False)
     writes = [write(chunk, file) for chunk, file in zip(chunks, files)]
     written = client.compute(writes)
@@ -218,7 +228,7 @@ def _claim(folder: str, name: str) -> None:
     if not note.exists():
         if any(re.fullmatch(r"[0-9]{5,}\.npy", file.name) for file in note.parent.iterdir()):
             raise OSError(f"{folder}: has files of points that are not of this array: name another folder for the tiles")
-        aside = note.with_name(f"name-{uuid.uuid4()}.unfinished")
+        aside = note.with_name(f"name-{_unique()}.unfinished")
         aside.write_text(name, encoding="utf-8")
         os.replace(aside, note)
     elif note.read_text(encoding="utf-8") != name:
@@ -230,7 +240,7 @@ def _write_chunk(chunk: Any, file: str) -> None:
     place = Path(file)
     if place.exists():
         return
-    aside = place.with_name(f"{place.name}-{uuid.uuid4()}.unfinished")
+    aside = place.with_name(f"{place.name}-{_unique()}.unfinished")
     try:
         with open(aside, "wb") as stream:
             np.save(stream, np.ascontiguousarray(_core.array_of_points(chunk, "points"), dtype=np.float64))

@@ -206,6 +206,17 @@ class Periodic3(Delaunay3):
         counts = np.bincount(ends[:, 0], minlength=self.npoints)
         return PeriodicNeighbors(np.append(0, np.cumsum(counts)).astype(np.int64), ends[order, 1], offsets[order])
 
+    @property
+    def edges(self) -> Indices:
+        """(e, 2) int32: the edges, the smaller index first, in lexicographical order; those with the same ends by their offsets."""
+        return self._edges_of_box[0][0] if self.nsimplex else np.zeros((0, 2), dtype=np.int32)
+
+    @property
+    def edge_offsets(self) -> Indices:
+        """(e, 3) int32: by how many periods the second end of each edge is moved, if the first is not. Positive, in
+        lexicographical order, where both are the same point."""
+        return self._edges_of_box[0][1] if self.nsimplex else np.zeros((0, 3), dtype=np.int32)
+
     def find_simplex(self, xi: Points, bruteforce: bool = False, tol: Optional[float] = None, *,
                      threads: Optional[SupportsIndex] = 1) -> Indices:
         """Return the numbers of the tetrahedra that have a copy that contains the points `xi`, of shape (…, 3); -1 outside the
@@ -244,12 +255,14 @@ class Periodic3(Delaunay3):
         queries, shape = self._rows_of(xi)
         if offset is None:
             found = self.find_copies(xi, threads=threads)
-            if simplex is not None and not np.array_equal(np.reshape(simplex, -1), found.simplices.reshape(-1)):
+            given = found.simplices if simplex is None else _core.read_alike(simplex, "simplex")
+            if not np.array_equal(np.reshape(given, -1), found.simplices.reshape(-1)):
                 raise ValueError("barycentric: other simplices than those of find_copies() need an offset for each")
             simplex, offset = found
         elif simplex is None:
             raise ValueError("barycentric: there are offsets, but no simplices")
-        numbers_of, offsets = np.asarray(simplex).reshape(-1), np.asarray(offset)
+        numbers_of = np.asarray(_core.read_alike(simplex, "simplex")).reshape(-1)
+        offsets = np.asarray(_core.read_alike(offset, "offset"))
         for name, array in (("simplex", numbers_of), ("offset", offsets)):
             if array.dtype.kind not in "iu":
                 raise TypeError(f"barycentric: {name}: expected integers, got entries of type {array.dtype}")

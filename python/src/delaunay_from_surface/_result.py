@@ -222,6 +222,14 @@ class Delaunay3:
         ascending, are indices[indptr[i]:indptr[i + 1]]."""
         return _core.adjacent_vertices(self.simplices, self.npoints, self._threads)
 
+    @cached_property
+    def edges(self) -> Indices:
+        """(e, 2) int32: the edges, the smaller index first, in lexicographical order."""
+        indptr, indices = self.vertex_neighbor_vertices
+        first = np.repeat(np.arange(self.npoints, dtype=np.int32), np.diff(indptr))
+        once = first < indices
+        return np.stack([first[once], indices[once]], axis=1)
+
     def find_simplex(self, xi: Points, bruteforce: bool = False, tol: Optional[float] = None, *,
                      threads: Optional[SupportsIndex] = 1) -> Indices:
         """Return the numbers of the tetrahedra that contain the points `xi`, of shape (…, 3); -1 outside. (…,) int32.
@@ -258,7 +266,8 @@ class Delaunay3:
         plane; IndexError for a simplex that there is not; TypeError if simplices are no integers.
         """
         self._needs_space("barycentric")
-        numbers_of = np.asarray(self.find_simplex(xi, threads=threads) if simplex is None else simplex).reshape(-1)
+        given = self.find_simplex(xi, threads=threads) if simplex is None else _core.read_alike(simplex, "simplex")
+        numbers_of = np.asarray(given).reshape(-1)
         if numbers_of.dtype.kind not in "iu":
             raise TypeError(f"barycentric: simplex: expected integers, got entries of type {numbers_of.dtype}")
         queries, shape = self._rows_of(xi)
@@ -368,7 +377,8 @@ class Delaunay3:
             raise ValueError(f"{name}: there are no tetrahedra, the points have dimension {self.dimension}")
 
     @staticmethod
-    def _rows_of(xi: Any) -> Tuple[Coordinates, Tuple[int, ...]]:
+    def _rows_of(given: Any) -> Tuple[Coordinates, Tuple[int, ...]]:
+        xi = _core.read_alike(given, "xi")
         shape = np.shape(xi)
         if len(shape) == 0 or shape[-1] != 3:
             return _core.array_of_points(xi, "xi"), (0,)

@@ -17,6 +17,7 @@ import numpy as np
 
 from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads, whole_number
+from ._progress import shown
 from ._types import Places, Reals
 
 Place = Union[str, bytes, "os.PathLike[str]"]
@@ -41,7 +42,7 @@ class Tiles:
     """
 
     def __init__(self, folder: Place) -> None:
-        self.folder = Path(os.fsdecode(folder))
+        self.folder = Path(os.fsdecode(name_of("folder", folder)))
         report = self.folder / "tiles.json"
         if not report.is_file():
             raise FileNotFoundError(f"{report}: there is none, so no run has ended there")
@@ -87,17 +88,29 @@ def number_of_tiles(tiles: Optional[SupportsIndex]) -> int:
     return 0 if tiles is None else whole_number("tiles", tiles, 1, 10**6)
 
 
-def names_of(files: Iterable[Place]) -> List[bytes]:
-    """The names of files that are there, whatever bytes they have."""
-    names = [os.fsencode(file) for file in files]
+def name_of(argument: str, place: Any) -> bytes:
+    """The name of a file or a folder, whatever bytes it has."""
+    if isinstance(place, (str, bytes, os.PathLike)):
+        return os.fsencode(place)
+    shape = getattr(place, "shape", None)
+    of_array = f"an array of shape {tuple(shape or ())}: numpy.save() writes it into a file"
+    what = type(place).__name__ if shape is None else of_array
+    raise TypeError(f"{argument}: expected the name of a file or folder, got {what}")
+
+
+def names_of(files: Any) -> List[bytes]:
+    """The names of one file or of several, which are there."""
+    is_sequence = isinstance(files, Iterable) and not isinstance(files, (str, bytes)) and not hasattr(files, "shape")
+    names = [name_of("files", file) for file in (files if is_sequence else [files])]
     for name in names:
         os.stat(name)  # FileNotFoundError says which one is not there
     return names
 
 
 def delaunay3_tiles(files: Union[Place, Iterable[Place]], output: Place, *, memory: Union[int, str] = "4G",
-                    tiles: Optional[SupportsIndex] = None, workers: Optional[SupportsIndex] = 1, vtu: bool = False,
-                    progress: Optional[Callable[[str, int, int], object]] = None) -> Tiles:
+                    tiles: Optional[SupportsIndex] = None, threads: Optional[SupportsIndex] = 1, vtu: bool = False,
+                    progress: Union[Callable[[str, int, int], object], bool, None] = None,
+                    workers: Optional[SupportsIndex] = 1) -> Tiles:
     """Write the Delaunay triangulation of more points than fit into memory, tile by tile.
 
     What was stopped, by whatever, goes on when it is called again. The union of the tiles is what `delaunay3`
@@ -116,13 +129,16 @@ def delaunay3_tiles(files: Union[Place, Iterable[Place]], output: Place, *, memo
         there are, at about 300 bytes for a point that a tile keeps; a tile keeps up to five times its own points.
     tiles
         How many tiles there are, if `memory` shall not decide.
-    workers
-        How many tiles are in memory at once; None: as many as there are processors.
+    threads
+        How many tiles are in memory at once, each worked on by one thread; None: as many as there are processors.
     vtu
         Whether to write .vtu files for ParaView, too, with tiles.pvtu over them.
     progress
         Is called after each task with a word for what is done, how much of it is done and how much there is. If it
-        returns False, the work stops and `Stopped` is raised. The interpreter lock is released in between.
+        returns False, the work stops and `Stopped` is raised. The interpreter lock is released in between. True shows a
+        bar of tqdm for each kind of work on stderr, or a line of text where there is no tqdm.
+    workers
+        Another name of `threads`, for programs that use it.
 
     Raises
     ------
@@ -135,9 +151,14 @@ def delaunay3_tiles(files: Union[Place, Iterable[Place]], output: Place, *, memo
     MemoryError
         If a tile keeps more points than it may, and more tiles do not help or their number was given.
     """
-    names = names_of([files] if isinstance(files, (str, bytes, os.PathLike)) else files)
+    names = names_of(files)
     if not names:
         raise ValueError("files: the list is empty; name at least one file of points")
-    number = number_of_threads("workers", workers, most=None)
-    _core.delaunay3_tiles(names, os.fsencode(output), number_of_tiles(tiles), bytes_of(memory), number, vtu, progress)
+    folder, number = name_of("output", output), number_of_threads("threads", threads, most=None)
+    if workers != 1:
+        if number != 1:
+            raise TypeError("workers: it is another name of threads: give one of them")
+        number = number_of_threads("workers", workers, most=None)
+    with shown(progress, lambda bar: bar.show) as called:
+        _core.delaunay3_tiles(names, folder, number_of_tiles(tiles), bytes_of(memory), number, vtu, called)
     return Tiles(output)

@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Iterable, Optional, SupportsIndex, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Optional, SupportsIndex, Tuple, Union
 
 import numpy as np
 
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     """Indices of points, of shape (m, k), or sequences of any lengths."""
     Box = Union[Iterable[Optional[float]], NDArray[np.floating[Any]], NDArray[np.integer[Any]]]
     """Three periods, None or infinite along axes that have none."""
+    Progress = Union[Callable[[float], object], bool, None]
+    """What is called with the share that is done; True for a bar."""
     Coordinates = Union[NDArray[np.float64], NDArray[np.float32]]
     Indices = NDArray[np.int32]
     Offsets = NDArray[np.int16]
@@ -26,7 +28,7 @@ if TYPE_CHECKING:
     Truths = NDArray[np.bool_]
     Radius = Union[float, np.floating[Any], np.integer[Any]]
 else:
-    ArrayLike = Box = Points = Faces = Any
+    ArrayLike = Box = Points = Faces = Progress = Any
     Coordinates = Indices = Offsets = Places = Reals = Truths = np.ndarray
     Radius = float
 

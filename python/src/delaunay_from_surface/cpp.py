@@ -13,29 +13,25 @@ and leave `cells = cpp.triangulate(points)` as it is. PyTorch is not needed, and
 
 from __future__ import annotations
 
-import sys
 from typing import Any, Optional, SupportsIndex
 
 import numpy as np
 
 from . import delaunay3
+from ._arguments import as_given, index_type
 
 __all__ = ["triangulate"]
 
 
-def triangulate(points: Any, threads: Optional[SupportsIndex] = 1) -> Any:
-    """Return the Delaunay tetrahedra of points as indices: (m, 4) int32.
+def triangulate(points: Any, threads: Optional[SupportsIndex] = 1, dtype: Any = "int32") -> Any:
+    """Return the Delaunay tetrahedra of points as indices: (m, 4) int32, or int64 if `dtype` says so.
 
     A tensor of PyTorch of shape (n, 3), on any device, gives one on the same device. Anything else that a NumPy array
     can be made of, by DLPack too, gives an array. The tetrahedra are positively oriented; where points coincide, the
     one with the smallest index stands for all. If all points lie in a plane there are none. `threads` as in
     `delaunay3`, whose exceptions are raised: for NaN, too.
     """
-    torch = sys.modules.get("torch")
-    if torch is not None and isinstance(points, torch.Tensor):
-        array = points.detach().cpu().numpy()
-    else:
-        array, torch = points, None
-    result = delaunay3(array, threads=threads)
+    kind = index_type(dtype)
+    result = delaunay3(points, threads=threads)
     cells = result.simplices if result.dimension == 3 else np.zeros((0, 4), dtype=np.int32)
-    return cells if torch is None else torch.from_numpy(cells).to(points.device)
+    return as_given(points, cells.astype(kind, copy=False))
