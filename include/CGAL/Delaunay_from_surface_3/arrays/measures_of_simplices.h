@@ -55,7 +55,8 @@ inline double quotient(const Scaled_double& n, const Scaled_double& d, int expon
 inline double root(const Scaled_double& n, int exponent)
 {
   const int power = n.exponent + exponent, odd = power & 1;
-  return std::ldexp(std::sqrt(std::ldexp(n.value, odd)), (power - odd) / 2);
+  return power == 0 ? std::sqrt(n.value)
+                    : std::ldexp(std::sqrt(std::ldexp(n.value, odd)), (power - odd) / 2);
 }
 
 // Compares absolute values.
@@ -306,6 +307,7 @@ Power_sphere power_sphere_of(const Corner (&corners)[4])
 // right triangle that belongs to it. Shares are signed: positive on the inner side of the triangle.
 struct Power_shares
 {
+  std::array<double, 3> center;  // relative to the first corner
   std::array<double, 6> areas;   // of edges 01, 02, 03, 12, 13, 23
   std::array<double, 4> volumes; // of corners
 };
@@ -317,7 +319,8 @@ inline std::size_t number_of_edge(std::size_t i, std::size_t j)
 
 // Adds the shares of the edges and corners of one triangle, whose corners `at` are given relative to
 // an origin with the weight there less their own. o is the centre of the tetrahedron relative to the
-// first corner. The centre of the triangle has barycentric coordinates of[k] / (2 |n|^2).
+// first corner. Rows have to be multiplied by 2^unit to be in the unit of o, in which the shares are.
+// The centre of the triangle has barycentric coordinates of[k] / (2 |n|^2).
 template <class Rows, class Number>
 bool add_power_shares(const std::array<std::array<Number, 3>, 4>& at,
                       const std::array<Number, 4>& lifts, const unsigned char (&f)[3],
@@ -360,7 +363,8 @@ template <class Corner>
 Power_shares power_shares_of(const Corner (&corners)[4])
 {
   constexpr double none = no_measure;
-  Power_shares shares = {{none, none, none, none, none, none}, {none, none, none, none}};
+  Power_shares shares = {
+      {none, none, none}, {none, none, none, none, none, none}, {none, none, none, none}};
   measure_at_corner(corners, 0, [&](const auto& in) {
     using Rows = std::decay_t<decltype(in)>;
     using Number = typename Rows::Number;
@@ -376,12 +380,23 @@ Power_shares power_shares_of(const Corner (&corners)[4])
       if constexpr (is_weighted<decltype(place_of(corners[0]))>)
         lifts[k] = in.rows[k - 1].w - dot(at[k], at[k]);
     }
-    Power_shares sums = {};
+    // Numbers near 1 are scaled only in the end; integers may be too large for doubles.
+    const int scale = std::is_same<Number, Big_integer>::value ? 0 : in.unit;
+    const auto scaled = [](auto& numbers, int exponent) {
+      for (double& x : numbers)
+        x = std::ldexp(x, exponent);
+    };
+    Power_shares sums = {sphere.center, {}, {}};
+    scaled(sphere.center, -scale);
     for (const auto& f : facet_corners) {
-      const auto o = minus(sphere.center, rounded_difference(corners[f[0]], corners[0]));
-      if (!add_power_shares<Rows>(at, lifts, f, o, in.unit, sums))
+      std::array<double, 3> o = sphere.center;
+      for (std::size_t i = 0; i < 3; ++i)
+        o[i] -= quotient(Rows::rounded(at[f[0]][i]), {1, 0}, in.unit - scale);
+      if (!add_power_shares<Rows>(at, lifts, f, o, in.unit - scale, sums))
         return false;
     }
+    scaled(sums.areas, 2 * scale);
+    scaled(sums.volumes, 3 * scale);
     shares = sums;
     return true;
   });
