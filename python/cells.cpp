@@ -59,6 +59,12 @@ struct Across
   std::size_t corner(std::size_t k) const { return corners >> (2 * k) & 3u; }
 };
 
+// Returns a corner of facet k, the first of the tetrahedron if possible.
+std::size_t corner_beside(std::size_t k)
+{
+  return k == 0 ? 1 : 0;
+}
+
 [[noreturn]] void refuse_neighbors()
 {
   throw std::invalid_argument("neighbors: they are not those of the simplices");
@@ -96,17 +102,23 @@ public:
     return {of_corner[0], of_corner[1], of_corner[2]};
   }
 
+  Index neighbor(std::size_t c, std::size_t k) const
+  {
+    const Index d = m_neighbors.entry(c, k);
+    if (d >= 0 && std::size_t(d) >= size())
+      refuse_neighbors();
+    return d;
+  }
+
   // Returns what lies across a facet, but not whether the centres are the same.
   Across across(std::size_t c, std::size_t k) const
   {
-    const Index d = m_neighbors.entry(c, k);
+    const Index d = neighbor(c, k);
     if (d < 0)
       return {};
-    if (std::size_t(d) >= size())
-      refuse_neighbors();
     for (std::size_t j = 0; j < 4; ++j)
       if (m_neighbors.entry(std::size_t(d), j) == Index(c) && (d != Index(c) || j != k)) {
-        Across across = {d, static_cast<unsigned char>(j << 2 * k), false};
+        Across across = {d, 0, false};
         if (match_corners(c, k, j, across))
           return across;
       }
@@ -117,7 +129,7 @@ public:
   bool have_same_center(std::size_t c, std::size_t k, const Across& across) const
   {
     const auto d = std::size_t(across.cell);
-    const std::size_t j = across.corner(k), s = (k + 1) % 4;
+    const std::size_t j = across.corner(k), s = corner_beside(k);
     const std::array corners = {corner(c, 0), corner(c, 1), corner(c, 2), corner(c, 3)};
     const auto apex = moved(corner(d, j), difference(offset(c, s), offset(d, across.corner(s))));
     const decltype(core::place_of(apex)) places[4] = {
@@ -129,7 +141,7 @@ public:
   // Returns the position of the first corner relative to another.
   Vector first_from(std::size_t c, std::size_t k) const
   {
-    return core::rounded_difference(corner(c, 0), corner(c, k));
+    return k == 0 ? Vector() : core::rounded_difference(corner(c, 0), corner(c, k));
   }
 
   static Offset difference(const Offset& a, const Offset& b)
@@ -143,26 +155,32 @@ private:
   bool match_corners(std::size_t c, std::size_t k, std::size_t j, Across& across) const
   {
     const auto d = std::size_t(across.cell);
-    const std::size_t s = (k + 1) % 4;
+    const std::size_t s = corner_beside(k);
+    const Vertices here = vertices(c), there = vertices(d);
     for (std::size_t first = 0; first < 4; ++first) {
-      if (first == j || vertex(d, first) != vertex(c, s))
+      if (first == j || there[first] != here[s])
         continue;
       const Offset by = difference(offset(d, first), offset(c, s));
-      Across matched = across;
-      unsigned number = 0;
+      std::size_t corners = j << 2 * k, number = 0;
       for (std::size_t a = 0; a < 4; ++a)
-        for (std::size_t b = 0; b < 4 && a != k; ++b)
-          if (b != j && vertex(c, a) == vertex(d, b) &&
+        for (std::size_t b = 0; b < 4; ++b)
+          if (here[a] == there[b] && a != k && b != j &&
               difference(offset(d, b), offset(c, a)) == by) {
-            matched.corners = static_cast<unsigned char>(matched.corners | b << 2 * a);
+            corners |= b << 2 * a;
             ++number;
           }
       if (number == 3) {
-        across = matched;
+        across.corners = static_cast<unsigned char>(corners);
         return true;
       }
     }
     return false;
+  }
+
+  using Vertices = std::array<Index, 4>;
+  Vertices vertices(std::size_t c) const
+  {
+    return {vertex(c, 0), vertex(c, 1), vertex(c, 2), vertex(c, 3)};
   }
 
   template <std::size_t size>
@@ -254,14 +272,20 @@ struct Step
   }
 };
 
-// Returns edge `place` % 6 of tetrahedron `place` / 6. It starts at the end that comes first, and of two
-// copies of a point at that from which the other is moved by a positive offset.
-template <class CornerOf>
-Step step_at(const Tetrahedra<CornerOf>& tetrahedra, std::size_t place)
+// Returns edge `place` % 6 of tetrahedron `place` / 6.
+Step step_at(std::size_t place)
 {
   static constexpr std::array<unsigned char, 4> corners[6] = {
       {0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
-  const Step step = {place / 6, corners[place % 6]};
+  return {place / 6, corners[place % 6]};
+}
+
+// Returns the same from the end that comes first, and of two copies of a point from that from which the
+// other is moved by a positive offset.
+template <class CornerOf>
+Step directed_step_at(const Tetrahedra<CornerOf>& tetrahedra, std::size_t place)
+{
+  const Step step = step_at(place);
   const auto end = [&](std::size_t m) {
     return std::pair(tetrahedra.vertex(step.cell, step.at[m]),
                      tetrahedra.offset(step.cell, step.at[m]));
@@ -366,7 +390,7 @@ bool have_distant_centers(const Tetrahedra<CornerOf>& tetrahedra,
                           const Across& across)
 {
   const auto d = std::size_t(across.cell);
-  const std::size_t s = (k + 1) % 4;
+  const std::size_t s = corner_beside(k);
   const Vector from = tetrahedra.first_from(c, s);
   const Vector from_there = tetrahedra.first_from(d, across.corner(s));
   double distance = 0, size = 0;
@@ -379,37 +403,42 @@ bool have_distant_centers(const Tetrahedra<CornerOf>& tetrahedra,
   return distance > 0x1p-40 * size + 0x1p-1000; // false if one is not finite
 }
 
+// Finds what lies across facet k of tetrahedron c, and writes it down for both.
 template <class CornerOf>
-void find_across(const Tetrahedra<CornerOf>& tetrahedra, Parts& parts,
-                 const core::Executor& executor)
+void find_across(const Tetrahedra<CornerOf>& tetrahedra, std::size_t c, std::size_t k, Parts& parts)
+{
+  Across to = tetrahedra.across(c, k);
+  to.has_same_center = !have_distant_centers(tetrahedra, parts.centers, c, k, to) &&
+                       tetrahedra.have_same_center(c, k, to);
+  parts.across[4 * c + k] = to;
+  Across back = {Index(c), 0, to.has_same_center};
+  for (std::size_t a = 0; a < 4; ++a)
+    back.corners = static_cast<unsigned char>(back.corners | a << 2 * to.corner(a));
+  parts.across[4 * std::size_t(to.cell) + to.corner(k)] = back;
+}
+
+template <class CornerOf>
+void find_all_across(const Tetrahedra<CornerOf>& tetrahedra, Parts& parts,
+                     const core::Executor& executor)
 {
   const std::size_t m = tetrahedra.size();
-  core::for_each_block(
-      executor, m, core::number_of_blocks(executor, m, 4096),
-      [&](std::size_t first, std::size_t last, std::size_t) {
-        core::Steps step(executor);
-        for (std::size_t c = first; c < last; ++c, step())
-          for (std::size_t k = 0; k < 4; ++k) {
-            Across across = tetrahedra.across(c, k);
-            const std::size_t back = 4 * std::size_t(across.cell) + across.corner(k);
-            if (across.cell < 0 || back < 4 * c + k)
-              continue; // that side finds both
-            across.has_same_center =
-                !have_distant_centers(tetrahedra, parts.centers, c, k, across) &&
-                tetrahedra.have_same_center(c, k, across);
-            parts.across[4 * c + k] = across;
-            Across from = {Index(c), 0, across.has_same_center};
-            for (std::size_t a = 0; a < 4; ++a)
-              from.corners = static_cast<unsigned char>(from.corners | a << 2 * across.corner(a));
-            parts.across[back] = from;
-          }
-      });
+  core::for_each_block(executor, m, core::number_of_blocks(executor, m, 4096),
+                       [&](std::size_t first, std::size_t last, std::size_t) {
+                         core::Steps step(executor);
+                         for (std::size_t c = first; c < last; ++c, step())
+                           for (std::size_t k = 0; k < 4; ++k)
+                             if (tetrahedra.neighbor(c, k) >= Index(c))
+                               find_across(tetrahedra, c, k, parts);
+                       });
+  for (std::size_t i = 0; i < 4 * m; ++i)
+    if (parts.across[i].cell != tetrahedra.neighbor(i / 4, i % 4))
+      refuse_neighbors();
 }
 
 template <class CornerOf>
 Facet facet_of(const Tetrahedra<CornerOf>& tetrahedra, const Parts& parts, const Ring& ring)
 {
-  const Step& s = ring.steps.front();
+  const Step s = directed_step_at(tetrahedra, ring.steps.front().place());
   Facet facet = {
       {tetrahedra.vertex(s.cell, s.at[0]), tetrahedra.vertex(s.cell, s.at[1])},
       tetrahedra.difference(tetrahedra.offset(s.cell, s.at[1]), tetrahedra.offset(s.cell, s.at[0])),
@@ -436,14 +465,19 @@ std::vector<Facet> facets_of(const Tetrahedra<CornerOf>& tetrahedra, const Parts
   const auto across = [&](std::size_t c, std::size_t k) { return parts.across[4 * c + k]; };
   const std::size_t blocks = core::number_of_blocks(executor, m, 4096);
   std::vector<std::vector<Facet>> found(blocks);
-  core::for_each_block(executor, m, blocks,
-                       [&](std::size_t first, std::size_t last, std::size_t b) {
-                         core::Steps step(executor);
-                         Ring ring;
-                         for (std::size_t place = 6 * first; place < 6 * last; ++place, step())
-                           if (ring.find(step_at(tetrahedra, place), 6 * m, across))
-                             found[b].push_back(facet_of(tetrahedra, parts, ring));
-                       });
+  core::for_each_block(
+      executor, m, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
+        core::Steps step(executor);
+        Ring ring;
+        std::vector<char> is_done(6 * (last - first), 0); // so that most rings are found once
+        for (std::size_t place = 6 * first; place < 6 * last; ++place, step())
+          if (!is_done[place - 6 * first] && ring.find(step_at(place), 6 * m, across)) {
+            found[b].push_back(facet_of(tetrahedra, parts, ring));
+            for (const Step& of_ring : ring.steps)
+              if (of_ring.cell < last)
+                is_done[of_ring.place() - 6 * first] = 1;
+          }
+      });
   std::vector<Facet> facets = std::move(found[0]);
   for (std::size_t b = 1; b < blocks; ++b)
     facets.insert(facets.end(), found[b].begin(), found[b].end());
@@ -488,7 +522,7 @@ py::tuple cell_facets(const Points& points, const py::object& weights, const Num
       with_tetrahedra(points, weights, simplices, neighbors, in_box, [&](const auto& tetrahedra) {
         const python::Interruptible_executor executor(threads);
         Parts parts = parts_of(tetrahedra, executor);
-        find_across(tetrahedra, parts, executor);
+        find_all_across(tetrahedra, parts, executor);
         volumes = std::move(parts.volumes);
         return facets_of(tetrahedra, parts, executor);
       });
@@ -590,7 +624,7 @@ py::array solid_angles(const Points& points, const py::object& weights, const Nu
           for (std::size_t f = first; f < last; ++f, step()) {
             if (place[f] < 0 || std::size_t(place[f]) >= 6 * m)
               throw std::out_of_range("places: there is no such edge");
-            ring.find(step_at(tetrahedra, std::size_t(place[f])), 6 * m, across);
+            ring.find(directed_step_at(tetrahedra, std::size_t(place[f])), 6 * m, across);
             for (std::size_t end = 0; end < 2 && ring.is_closed; ++end) {
               polygon.clear();
               for (const Step& s : ring.steps) {
@@ -677,7 +711,7 @@ std::vector<Face> faces_of(const Tetrahedra<CornerOf>& tetrahedra, const Star& s
       const std::size_t c = corner / 4, k = corner % 4;
       if (j == k)
         continue;
-      Step first = step_at(tetrahedra, 6 * c + core::number_of_edge(j, k));
+      Step first = step_at(6 * c + core::number_of_edge(j, k));
       if (first.at[0] != k)
         first = first.turned();
       if (!ring.find(first, 6 * tetrahedra.size(), across))
