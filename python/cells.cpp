@@ -261,7 +261,8 @@ struct Step
   std::array<unsigned char, 4> at;
   bool joins_next = false; // whether the next has the same centre
 
-  std::size_t place() const { return 6 * cell + core::number_of_edge(at[0], at[1]); }
+  std::size_t edge() const { return core::number_of_edge(at[0], at[1]); }
+  std::size_t place() const { return 6 * cell + edge(); }
   Step turned() const { return {cell, {at[1], at[0], at[3], at[2]}}; }
   Step next(const Across& across) const
   {
@@ -354,12 +355,19 @@ struct Facet
   std::size_t place;
 };
 
-// What all facets are made of.
+// What the facets take from one tetrahedron: in one place, since rings jump from one to the next.
+struct Part
+{
+  std::array<Across, 4> across;
+  std::array<double, 6> areas;
+  std::array<bool, 6> is_done = {}; // of edges
+  Vector center;                    // relative to the first corner
+};
+
 struct Parts
 {
-  std::vector<double> volumes, areas;
-  std::vector<Vector> centers; // relative to the first corners
-  std::vector<Across> across;
+  std::vector<Part> of;        // tetrahedra
+  std::vector<double> volumes; // of cells
 };
 
 template <class CornerOf>
@@ -368,14 +376,12 @@ Parts parts_of(const Tetrahedra<CornerOf>& tetrahedra, const core::Executor& exe
   const std::size_t m = tetrahedra.size();
   Parts parts;
   parts.volumes.resize(tetrahedra.number_of_points());
-  parts.areas.resize(6 * m);
-  parts.centers.resize(m);
-  parts.across.resize(4 * m);
+  parts.of.resize(m);
   for_each_share(
       m, [&](std::size_t c, std::size_t k) { return tetrahedra.corner(c, k); }, executor,
       [&](std::size_t c, const core::Power_shares& shares) {
-        parts.centers[c] = shares.center;
-        std::copy(shares.areas.begin(), shares.areas.end(), &parts.areas[6 * c]);
+        parts.of[c].center = shares.center;
+        parts.of[c].areas = shares.areas;
         for (std::size_t k = 0; k < 4; ++k)
           parts.volumes[std::size_t(tetrahedra.vertex(c, k))] += shares.volumes[k];
       });
@@ -385,19 +391,19 @@ Parts parts_of(const Tetrahedra<CornerOf>& tetrahedra, const core::Executor& exe
 // Returns whether the centres of tetrahedra on both sides of a facet surely differ. Each is known up to
 // 2^-43 of its distance from the first corner (measures_of_simplices.h).
 template <class CornerOf>
-bool have_distant_centers(const Tetrahedra<CornerOf>& tetrahedra,
-                          const std::vector<Vector>& centers, std::size_t c, std::size_t k,
-                          const Across& across)
+bool have_distant_centers(const Tetrahedra<CornerOf>& tetrahedra, const Parts& parts, std::size_t c,
+                          std::size_t k, const Across& across)
 {
   const auto d = std::size_t(across.cell);
   const std::size_t s = corner_beside(k);
   const Vector from = tetrahedra.first_from(c, s);
   const Vector from_there = tetrahedra.first_from(d, across.corner(s));
+  const Vector &center = parts.of[c].center, &center_there = parts.of[d].center;
   double distance = 0, size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double x = centers[c][i] + from[i], y = centers[d][i] + from_there[i];
+    const double x = center[i] + from[i], y = center_there[i] + from_there[i];
     distance = (std::max)(distance, std::abs(x - y));
-    size += std::abs(centers[c][i]) + std::abs(from[i]) + std::abs(centers[d][i]) +
+    size += std::abs(center[i]) + std::abs(from[i]) + std::abs(center_there[i]) +
             std::abs(from_there[i]);
   }
   return distance > 0x1p-40 * size + 0x1p-1000; // false if one is not finite
@@ -408,13 +414,13 @@ template <class CornerOf>
 void find_across(const Tetrahedra<CornerOf>& tetrahedra, std::size_t c, std::size_t k, Parts& parts)
 {
   Across to = tetrahedra.across(c, k);
-  to.has_same_center = !have_distant_centers(tetrahedra, parts.centers, c, k, to) &&
-                       tetrahedra.have_same_center(c, k, to);
-  parts.across[4 * c + k] = to;
+  to.has_same_center =
+      !have_distant_centers(tetrahedra, parts, c, k, to) && tetrahedra.have_same_center(c, k, to);
+  parts.of[c].across[k] = to;
   Across back = {Index(c), 0, to.has_same_center};
   for (std::size_t a = 0; a < 4; ++a)
     back.corners = static_cast<unsigned char>(back.corners | a << 2 * to.corner(a));
-  parts.across[4 * std::size_t(to.cell) + to.corner(k)] = back;
+  parts.of[std::size_t(to.cell)].across[to.corner(k)] = back;
 }
 
 template <class CornerOf>
@@ -431,7 +437,7 @@ void find_all_across(const Tetrahedra<CornerOf>& tetrahedra, Parts& parts,
                                find_across(tetrahedra, c, k, parts);
                        });
   for (std::size_t i = 0; i < 4 * m; ++i)
-    if (parts.across[i].cell != tetrahedra.neighbor(i / 4, i % 4))
+    if (parts.of[i / 4].across[i % 4].cell != tetrahedra.neighbor(i / 4, i % 4))
       refuse_neighbors();
 }
 
@@ -450,7 +456,7 @@ Facet facet_of(const Tetrahedra<CornerOf>& tetrahedra, const Parts& parts, const
     facet.area = 0;
     if (facet.corners > 0)
       for (const Step& step : ring.steps)
-        facet.area += parts.areas[step.place()];
+        facet.area += parts.of[step.cell].areas[step.edge()];
     facet.area = (std::max)(facet.area, 0.);
   }
   return facet;
@@ -458,24 +464,23 @@ Facet facet_of(const Tetrahedra<CornerOf>& tetrahedra, const Parts& parts, const
 
 // Returns the facets of all edges, sorted by their ends and offsets.
 template <class CornerOf>
-std::vector<Facet> facets_of(const Tetrahedra<CornerOf>& tetrahedra, const Parts& parts,
+std::vector<Facet> facets_of(const Tetrahedra<CornerOf>& tetrahedra, Parts& parts,
                              const core::Executor& executor)
 {
   const std::size_t m = tetrahedra.size(), n = tetrahedra.number_of_points();
-  const auto across = [&](std::size_t c, std::size_t k) { return parts.across[4 * c + k]; };
+  const auto across = [&](std::size_t c, std::size_t k) { return parts.of[c].across[k]; };
   const std::size_t blocks = core::number_of_blocks(executor, m, 4096);
   std::vector<std::vector<Facet>> found(blocks);
   core::for_each_block(
       executor, m, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
         core::Steps step(executor);
         Ring ring;
-        std::vector<char> is_done(6 * (last - first), 0); // so that most rings are found once
         for (std::size_t place = 6 * first; place < 6 * last; ++place, step())
-          if (!is_done[place - 6 * first] && ring.find(step_at(place), 6 * m, across)) {
+          if (!parts.of[place / 6].is_done[place % 6] && ring.find(step_at(place), 6 * m, across)) {
             found[b].push_back(facet_of(tetrahedra, parts, ring));
             for (const Step& of_ring : ring.steps)
-              if (of_ring.cell < last)
-                is_done[of_ring.place() - 6 * first] = 1;
+              if (of_ring.cell < last) // others belong to other threads, which find out again
+                parts.of[of_ring.cell].is_done[of_ring.edge()] = true;
           }
       });
   std::vector<Facet> facets = std::move(found[0]);
