@@ -475,13 +475,17 @@ std::vector<Facet> facets_of(const Tetrahedra<CornerOf>& tetrahedra, Parts& part
       executor, m, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
         core::Steps step(executor);
         Ring ring;
-        for (std::size_t place = 6 * first; place < 6 * last; ++place, step())
+        for (std::size_t place = 6 * first; place < 6 * last; ++place, step()) {
+          if (place % 6 == 0 && place / 6 + core::prefetch_distance < last)
+            for (const Across& to : parts.of[place / 6 + core::prefetch_distance].across)
+              core::prefetch(parts.of.data() + (std::max)(to.cell, 0));
           if (!parts.of[place / 6].is_done[place % 6] && ring.find(step_at(place), 6 * m, across)) {
             found[b].push_back(facet_of(tetrahedra, parts, ring));
             for (const Step& of_ring : ring.steps)
               if (of_ring.cell < last) // others belong to other threads, which find out again
                 parts.of[of_ring.cell].is_done[of_ring.edge()] = true;
           }
+        }
       });
   std::vector<Facet> facets = std::move(found[0]);
   for (std::size_t b = 1; b < blocks; ++b)
