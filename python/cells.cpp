@@ -300,9 +300,9 @@ struct Ring
   std::vector<Step> steps;
   bool is_closed = false;
 
-  // Finds it, unless it has a step with a smaller place.
+  // Finds it; one that has a step with a smaller place only if that is wanted.
   template <class AcrossOf>
-  bool find(const Step& first, std::size_t most, const AcrossOf& across)
+  bool find(const Step& first, std::size_t most, const AcrossOf& across, bool from_anywhere = false)
   {
     steps.clear();
     is_closed = false;
@@ -315,7 +315,7 @@ struct Ring
         return is_first_of_open(first.turned(), most, across);
       step = step.next(to);
       is_closed = step.cell == first.cell && step.at == first.at;
-      if (is_closed || step.place() < first.place())
+      if (is_closed || (!from_anywhere && step.place() < first.place()))
         return is_closed;
     }
     refuse_neighbors();
@@ -364,11 +364,47 @@ struct Part
   Vector center;                    // relative to the first corner
 };
 
+// Parts are sorted by space, since tetrahedra are not: across facets their numbers are those of parts.
 struct Parts
 {
-  std::vector<Part> of;        // tetrahedra
+  std::vector<std::uint32_t> number_of;  // the part of each tetrahedron
+  std::vector<std::uint32_t> tetrahedra; // that of each part
+  std::vector<Part> parts;
   std::vector<double> volumes; // of cells
+
+  Part& of(std::size_t tetrahedron) { return parts[number_of[tetrahedron]]; }
+  const Part& of(std::size_t tetrahedron) const { return parts[number_of[tetrahedron]]; }
 };
+
+// Sorts tetrahedra by their first corners along a curve of Morton's through 64 x 64 x 64 boxes.
+template <class CornerOf>
+core::Lists<std::uint32_t> sorted_by_space(const Tetrahedra<CornerOf>& tetrahedra)
+{
+  const std::size_t m = tetrahedra.size();
+  std::array<double, 3> least, most;
+  for (std::size_t a = 0; a < 3; ++a) {
+    least[a] = most[a] = m == 0 ? 0 : python::coordinate(tetrahedra.corner(0, 0), a);
+    for (std::size_t c = 0; c < m; ++c) {
+      const double x = python::coordinate(tetrahedra.corner(c, 0), a);
+      least[a] = (std::min)(least[a], x);
+      most[a] = (std::max)(most[a], x);
+    }
+  }
+  const auto box_of = [&](std::size_t c) {
+    const auto corner = tetrahedra.corner(c, 0);
+    std::size_t box = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double share = (python::coordinate(corner, a) - least[a]) / (most[a] - least[a]);
+      const auto number = std::size_t(share >= 0 && share <= 1 ? 63 * share : 0); // or overflow
+      for (std::size_t bit = 0; bit < 6; ++bit)
+        box |= (number >> bit & 1u) << (3 * bit + a);
+    }
+    return box;
+  };
+  return core::in_lists<std::uint32_t>(
+      std::size_t(1) << 18,
+      core::Listed_items(m, box_of, [](std::size_t c) { return std::uint32_t(c); }));
+}
 
 template <class CornerOf>
 Parts parts_of(const Tetrahedra<CornerOf>& tetrahedra, const core::Executor& executor)
@@ -376,12 +412,17 @@ Parts parts_of(const Tetrahedra<CornerOf>& tetrahedra, const core::Executor& exe
   const std::size_t m = tetrahedra.size();
   Parts parts;
   parts.volumes.resize(tetrahedra.number_of_points());
-  parts.of.resize(m);
+  const auto sorted = sorted_by_space(tetrahedra);
+  parts.tetrahedra.assign(sorted.items.begin(), sorted.items.end());
+  parts.number_of.resize(m);
+  for (std::size_t i = 0; i < m; ++i)
+    parts.number_of[parts.tetrahedra[i]] = std::uint32_t(i);
+  parts.parts.resize(m);
   for_each_share(
       m, [&](std::size_t c, std::size_t k) { return tetrahedra.corner(c, k); }, executor,
       [&](std::size_t c, const core::Power_shares& shares) {
-        parts.of[c].center = shares.center;
-        parts.of[c].areas = shares.areas;
+        parts.of(c).center = shares.center;
+        parts.of(c).areas = shares.areas;
         for (std::size_t k = 0; k < 4; ++k)
           parts.volumes[std::size_t(tetrahedra.vertex(c, k))] += shares.volumes[k];
       });
@@ -398,7 +439,7 @@ bool have_distant_centers(const Tetrahedra<CornerOf>& tetrahedra, const Parts& p
   const std::size_t s = corner_beside(k);
   const Vector from = tetrahedra.first_from(c, s);
   const Vector from_there = tetrahedra.first_from(d, across.corner(s));
-  const Vector &center = parts.of[c].center, &center_there = parts.of[d].center;
+  const Vector &center = parts.of(c).center, &center_there = parts.of(d).center;
   double distance = 0, size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const double x = center[i] + from[i], y = center_there[i] + from_there[i];
@@ -416,11 +457,12 @@ void find_across(const Tetrahedra<CornerOf>& tetrahedra, std::size_t c, std::siz
   Across to = tetrahedra.across(c, k);
   to.has_same_center =
       !have_distant_centers(tetrahedra, parts, c, k, to) && tetrahedra.have_same_center(c, k, to);
-  parts.of[c].across[k] = to;
-  Across back = {Index(c), 0, to.has_same_center};
+  Across back = {Index(parts.number_of[c]), 0, to.has_same_center};
   for (std::size_t a = 0; a < 4; ++a)
     back.corners = static_cast<unsigned char>(back.corners | a << 2 * to.corner(a));
-  parts.of[std::size_t(to.cell)].across[to.corner(k)] = back;
+  parts.of(std::size_t(to.cell)).across[to.corner(k)] = back;
+  to.cell = Index(parts.number_of[std::size_t(to.cell)]);
+  parts.of(c).across[k] = to;
 }
 
 template <class CornerOf>
@@ -431,20 +473,26 @@ void find_all_across(const Tetrahedra<CornerOf>& tetrahedra, Parts& parts,
   core::for_each_block(executor, m, core::number_of_blocks(executor, m, 4096),
                        [&](std::size_t first, std::size_t last, std::size_t) {
                          core::Steps step(executor);
-                         for (std::size_t c = first; c < last; ++c, step())
-                           for (std::size_t k = 0; k < 4; ++k)
+                         for (std::size_t i = first; i < last; ++i, step())
+                           for (std::size_t k = 0; k < 4; ++k) {
+                             const std::size_t c = parts.tetrahedra[i];
                              if (tetrahedra.neighbor(c, k) >= Index(c))
                                find_across(tetrahedra, c, k, parts);
+                           }
                        });
-  for (std::size_t i = 0; i < 4 * m; ++i)
-    if (parts.of[i / 4].across[i % 4].cell != tetrahedra.neighbor(i / 4, i % 4))
-      refuse_neighbors();
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Index d = tetrahedra.neighbor(parts.tetrahedra[i], k);
+      if (parts.parts[i].across[k].cell != (d < 0 ? d : Index(parts.number_of[std::size_t(d)])))
+        refuse_neighbors();
+    }
 }
 
 template <class CornerOf>
 Facet facet_of(const Tetrahedra<CornerOf>& tetrahedra, const Parts& parts, const Ring& ring)
 {
-  const Step s = directed_step_at(tetrahedra, ring.steps.front().place());
+  const Step& first = ring.steps.front();
+  const Step s = directed_step_at(tetrahedra, 6 * parts.tetrahedra[first.cell] + first.edge());
   Facet facet = {
       {tetrahedra.vertex(s.cell, s.at[0]), tetrahedra.vertex(s.cell, s.at[1])},
       tetrahedra.difference(tetrahedra.offset(s.cell, s.at[1]), tetrahedra.offset(s.cell, s.at[0])),
@@ -456,7 +504,7 @@ Facet facet_of(const Tetrahedra<CornerOf>& tetrahedra, const Parts& parts, const
     facet.area = 0;
     if (facet.corners > 0)
       for (const Step& step : ring.steps)
-        facet.area += parts.of[step.cell].areas[step.edge()];
+        facet.area += parts.parts[step.cell].areas[step.edge()];
     facet.area = (std::max)(facet.area, 0.);
   }
   return facet;
@@ -468,7 +516,7 @@ std::vector<Facet> facets_of(const Tetrahedra<CornerOf>& tetrahedra, Parts& part
                              const core::Executor& executor)
 {
   const std::size_t m = tetrahedra.size(), n = tetrahedra.number_of_points();
-  const auto across = [&](std::size_t c, std::size_t k) { return parts.of[c].across[k]; };
+  const auto across = [&](std::size_t c, std::size_t k) { return parts.parts[c].across[k]; };
   const std::size_t blocks = core::number_of_blocks(executor, m, 4096);
   std::vector<std::vector<Facet>> found(blocks);
   core::for_each_block(
@@ -476,14 +524,12 @@ std::vector<Facet> facets_of(const Tetrahedra<CornerOf>& tetrahedra, Parts& part
         core::Steps step(executor);
         Ring ring;
         for (std::size_t place = 6 * first; place < 6 * last; ++place, step()) {
-          if (place % 6 == 0 && place / 6 + core::prefetch_distance < last)
-            for (const Across& to : parts.of[place / 6 + core::prefetch_distance].across)
-              core::prefetch(parts.of.data() + (std::max)(to.cell, 0));
-          if (!parts.of[place / 6].is_done[place % 6] && ring.find(step_at(place), 6 * m, across)) {
+          if (!parts.parts[place / 6].is_done[place % 6] &&
+              ring.find(step_at(place), 6 * m, across)) {
             found[b].push_back(facet_of(tetrahedra, parts, ring));
             for (const Step& of_ring : ring.steps)
               if (of_ring.cell < last) // others belong to other threads, which find out again
-                parts.of[of_ring.cell].is_done[of_ring.edge()] = true;
+                parts.parts[of_ring.cell].is_done[of_ring.edge()] = true;
           }
         }
       });
@@ -633,7 +679,7 @@ py::array solid_angles(const Points& points, const py::object& weights, const Nu
           for (std::size_t f = first; f < last; ++f, step()) {
             if (place[f] < 0 || std::size_t(place[f]) >= 6 * m)
               throw std::out_of_range("places: there is no such edge");
-            ring.find(directed_step_at(tetrahedra, std::size_t(place[f])), 6 * m, across);
+            ring.find(directed_step_at(tetrahedra, std::size_t(place[f])), 6 * m, across, true);
             for (std::size_t end = 0; end < 2 && ring.is_closed; ++end) {
               polygon.clear();
               for (const Step& s : ring.steps) {
