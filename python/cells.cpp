@@ -10,6 +10,7 @@
 // area 0 if that is less than three.
 
 #include "Corners.h"
+#include "Power_shares.h"
 #include "Unlocked.h"
 #include "functions.h"
 #include "interruptible.h"
@@ -235,7 +236,7 @@ void for_each_share(std::size_t number, const CornerAt& corner, const core::Exec
                     const Take& take)
 {
   constexpr std::size_t group = 1 << 14;
-  std::vector<core::Power_shares> shares((std::min)(group, number));
+  std::vector<python::Power_shares> shares((std::min)(group, number));
   for (std::size_t begin = 0; begin < number; begin += group) {
     const std::size_t size = (std::min)(group, number - begin);
     core::for_each_block(executor, size, core::number_of_blocks(executor, size, 1024),
@@ -244,7 +245,7 @@ void for_each_share(std::size_t number, const CornerAt& corner, const core::Exec
                              const std::size_t c = begin + i;
                              const decltype(corner(c, 0)) corners[4] = {corner(c, 0), corner(c, 1),
                                                                         corner(c, 2), corner(c, 3)};
-                             shares[i] = core::power_shares_of(corners);
+                             shares[i] = python::power_shares_of(corners);
                            }
                          });
     executor.interruption_point();
@@ -261,7 +262,7 @@ struct Step
   std::array<unsigned char, 4> at;
   bool joins_next = false; // whether the next has the same centre
 
-  std::size_t edge() const { return core::number_of_edge(at[0], at[1]); }
+  std::size_t edge() const { return python::number_of_edge(at[0], at[1]); }
   std::size_t place() const { return 6 * cell + edge(); }
   Step turned() const { return {cell, {at[1], at[0], at[3], at[2]}}; }
   Step next(const Across& across) const
@@ -381,29 +382,30 @@ template <class CornerOf>
 core::Lists<std::uint32_t> sorted_by_space(const Tetrahedra<CornerOf>& tetrahedra)
 {
   const std::size_t m = tetrahedra.size();
-  std::array<double, 3> least, most;
-  for (std::size_t a = 0; a < 3; ++a) {
-    least[a] = most[a] = m == 0 ? 0 : python::coordinate(tetrahedra.corner(0, 0), a);
-    for (std::size_t c = 0; c < m; ++c) {
-      const double x = python::coordinate(tetrahedra.corner(c, 0), a);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> least = {infinity, infinity, infinity},
+                        most = {-infinity, -infinity, -infinity};
+  std::vector<Vector> corners(m);
+  for (std::size_t c = 0; c < m; ++c) {
+    const auto corner = tetrahedra.corner(c, 0);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double x = corners[c][a] = python::coordinate(corner, a);
       least[a] = (std::min)(least[a], x);
       most[a] = (std::max)(most[a], x);
     }
   }
-  const auto box_of = [&](std::size_t c) {
-    const auto corner = tetrahedra.corner(c, 0);
-    std::size_t box = 0;
+  std::vector<std::uint32_t> boxes(m);
+  for (std::size_t c = 0; c < m; ++c)
     for (std::size_t a = 0; a < 3; ++a) {
-      const double share = (python::coordinate(corner, a) - least[a]) / (most[a] - least[a]);
-      const auto number = std::size_t(share >= 0 && share <= 1 ? 63 * share : 0); // or overflow
-      for (std::size_t bit = 0; bit < 6; ++bit)
-        box |= (number >> bit & 1u) << (3 * bit + a);
+      const double share = (corners[c][a] - least[a]) / (most[a] - least[a]);
+      const auto number = unsigned(share >= 0 && share <= 1 ? 63 * share : 0); // or overflow
+      for (unsigned bit = 0; bit < 6; ++bit)
+        boxes[c] |= (number >> bit & 1u) << (3 * bit + unsigned(a));
     }
-    return box;
-  };
-  return core::in_lists<std::uint32_t>(
-      std::size_t(1) << 18,
-      core::Listed_items(m, box_of, [](std::size_t c) { return std::uint32_t(c); }));
+  return core::in_lists<std::uint32_t>(std::size_t(1) << 18,
+                                       core::Listed_items(
+                                           m, [&](std::size_t c) { return std::size_t(boxes[c]); },
+                                           [](std::size_t c) { return std::uint32_t(c); }));
 }
 
 template <class CornerOf>
@@ -420,7 +422,7 @@ Parts parts_of(const Tetrahedra<CornerOf>& tetrahedra, const core::Executor& exe
   parts.parts.resize(m);
   for_each_share(
       m, [&](std::size_t c, std::size_t k) { return tetrahedra.corner(c, k); }, executor,
-      [&](std::size_t c, const core::Power_shares& shares) {
+      [&](std::size_t c, const python::Power_shares& shares) {
         parts.of(c).center = shares.center;
         parts.of(c).areas = shares.areas;
         for (std::size_t k = 0; k < 4; ++k)
@@ -609,7 +611,7 @@ py::array cell_volumes(const Points& points, const py::object& weights, const Nu
     for_each_share(
         rows.size(), [&](std::size_t c, std::size_t k) { return corner_of(c, k, vertex(c, k)); },
         python::Interruptible_executor(threads),
-        [&](std::size_t c, const core::Power_shares& shares) {
+        [&](std::size_t c, const python::Power_shares& shares) {
           for (std::size_t k = 0; k < 4; ++k)
             volumes[vertex(c, k)] += shares.volumes[k];
         });
@@ -766,7 +768,7 @@ std::vector<Face> faces_of(const Tetrahedra<CornerOf>& tetrahedra, const Star& s
       const std::size_t c = corner / 4, k = corner % 4;
       if (j == k)
         continue;
-      Step first = step_at(6 * c + core::number_of_edge(j, k));
+      Step first = step_at(6 * c + python::number_of_edge(j, k));
       if (first.at[0] != k)
         first = first.turned();
       if (!ring.find(first, 6 * tetrahedra.size(), across))

@@ -114,7 +114,8 @@ class Cells(unittest.TestCase):
                 cell = cell_of(diagram, i)
                 for face, j, offset in zip(cell.faces, cell.neighbors, cell.offsets):
                     x = cell.vertices[face]
-                    powers = [((x - p) ** 2).sum(axis=1) - weights[k] for k, p in ((i, moved[i]), (j, moved[j] + offset))]
+                    powers = [((x - p) ** 2).sum(axis=1) - weights[k]
+                              for k, p in ((i, moved[i]), (j, moved[j] + offset))]
                     np.testing.assert_allclose(*powers, atol=1e-12)
 
     def test_sums(self):
@@ -131,7 +132,8 @@ class Cells(unittest.TestCase):
                 self.assertTrue((facets.areas[diagram.facet_corners == 0] == 0).all())
                 self.assertFalse(np.isin(diagram.facet_corners, (1, 2)).any())
                 if isinstance(diagram, dfs.Periodic3) and np.isfinite(diagram.box).all():
-                    self.assertAlmostEqual(volumes.sum() / diagram.box.prod(), 1, delta=1e-9 if name == "far" else 1e-12)
+                    tolerance = 1e-9 if name == "far" else 1e-12
+                    self.assertAlmostEqual(volumes.sum() / diagram.box.prod(), 1, delta=tolerance)
                 sums = np.bincount(facets[0].ravel(), diagram.solid_angles.ravel(), diagram.npoints)
                 of_point = sums[diagram.vertices][volumes > 0] / (4 * np.pi)
                 if isinstance(diagram, dfs.Regular3):
@@ -172,7 +174,8 @@ class Cells(unittest.TestCase):
         tiny = dfs.delaunay3(np.ldexp(self.points, -900), box=np.ldexp(np.ones(3), -900))
         np.testing.assert_array_equal(tiny.facet_corners, ours.facet_corners)
         np.testing.assert_allclose(tiny.solid_angles, ours.solid_angles, atol=1e-12)
-        np.testing.assert_allclose(np.ldexp(tiny.voronoi_cell(7).vertices, 900), ours.voronoi_cell(7).vertices, rtol=1e-12)
+        enlarged = np.ldexp(tiny.voronoi_cell(7).vertices, 900)
+        np.testing.assert_allclose(enlarged, ours.voronoi_cell(7).vertices, rtol=1e-12)
 
     def test_equal_and_hidden_points(self):
         points = np.floor(self.points * 2 ** 20) / 2 ** 20  # so that moves are not rounded
@@ -186,7 +189,8 @@ class Cells(unittest.TestCase):
             self.assertEqual(ours.coordination()[i], ours.coordination()[150 + i])
         heavy = dfs.delaunay3(twice[:150], weights=np.where(np.arange(150) == 5, .2, 0), box=(1, 1, 1))
         hidden = heavy.hidden[0]
-        self.assertEqual((heavy.power_volumes[hidden], heavy.power_areas[hidden], heavy.coordination()[hidden]), (0, 0, 0))
+        for values in (heavy.power_volumes, heavy.power_areas, heavy.coordination()):
+            self.assertEqual(values[hidden], 0)
         with self.assertRaisesRegex(ValueError, f"power_cell: point {hidden} is hidden"):
             heavy.power_cell(hidden)
 
@@ -194,10 +198,13 @@ class Cells(unittest.TestCase):
         ours, weighted = self.kinds["points"], self.kinds["weights"]
         on_hull = ours.convex_hull[0, 0]
         for error, message, call in (
-                (ValueError, f"voronoi_cell: point {on_hull}: its cell is unbounded", lambda: ours.voronoi_cell(on_hull)),
-                (ValueError, "voronoi_cell: i: expected a whole number from 0 to 149, got 150", lambda: ours.voronoi_cell(150)),
+                (ValueError, f"voronoi_cell: point {on_hull}: its cell is unbounded",
+                 lambda: ours.voronoi_cell(on_hull)),
+                (ValueError, "voronoi_cell: i: expected a whole number from 0 to 149, got 150",
+                 lambda: ours.voronoi_cell(150)),
                 (TypeError, "voronoi_cell: i: expected a whole number", lambda: ours.voronoi_cell(.5)),
-                (ValueError, "coordination: min_area: expected a share from 0 to 1, got 2", lambda: ours.coordination(min_area=2)),
+                (ValueError, "coordination: min_area: expected a share from 0 to 1, got 2",
+                 lambda: ours.coordination(min_area=2)),
                 (ValueError, "min_solid_angle: .* got nan", lambda: ours.coordination(min_solid_angle=float("nan"))),
                 (ValueError, "voronoi_areas: .*use power_areas", lambda: weighted.voronoi_areas),
                 (ValueError, "voronoi_facets: .*use power_facets", lambda: weighted.voronoi_facets),
@@ -252,7 +259,7 @@ class Crystals(unittest.TestCase):
             self.check(dfs.delaunay3(points, box=box), 0, kind)
 
     def test_coordination(self):
-        """The nearest and second neighbours of bcc; rounded and shaken lattices have facets that only thresholds leave out."""
+        """The nearest and second neighbours of bcc; thresholds leave out facets of rounded and shaken lattices."""
         points, box = crystal("bcc", 4)
         ours = dfs.delaunay3(points, box=box)
         share = 1 / (3 + 6 * 3 ** .5) / 2  # of a square, which is smaller than a hexagon
@@ -371,7 +378,8 @@ class Example(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             done = subprocess.run([sys.executable, Path(__file__).with_name("examples").resolve() / "crystal.py"],
                                   capture_output=True, text=True, check=True, cwd=folder)
-        self.assertIn("neighbours of the vacancy: 12.80 cubic ångström each; coordination numbers 11 (12)\n", done.stdout)
+        self.assertIn("neighbours of the vacancy: 12.80 cubic ångström each; coordination numbers 11 (12)\n",
+                      done.stdout)
         self.assertIn("coordination numbers 12 (2035)\n", done.stdout)
 
 

@@ -6,12 +6,12 @@
 
     python3 measure_materials.py [--atoms N...] [--repetitions N] [--output FILE]
 
-For atoms at random, in a crystal that is shaken, and in one that is not, in a periodic box: CPU seconds until all have
-volumes, surface areas, and facets with areas, by one thread. The module's time is also given in parts, and that of solid
-angles apart. Voro++ is asked by a program that is compiled here with -O3 -DNDEBUG, keeps all that in memory and prints sums; its library
-chooses no grid itself, so it gets six atoms for each block, as its program does. SciPy has no boxes: it takes the atoms alone, and
-gives volumes by a ConvexHull of each bounded cell, which is why only so many cells as --hulls says are measured, and the
-time is multiplied; it has neither surface areas of all cells nor facets by area in that time.
+For atoms at random, in a crystal that is shaken, and in one that is not, in a periodic box: CPU seconds until all
+have volumes, surface areas, and facets with areas, by one thread. The module's time is also given in parts, and that
+of solid angles apart. Voro++ is asked by a program that is compiled here with -O3 -DNDEBUG, keeps the same in memory
+and prints sums; its grid has six atoms for each block. SciPy has no boxes: it takes the atoms alone, and gives
+volumes by a ConvexHull of each bounded cell. Only so many cells as --hulls says are measured, and their time is
+multiplied.
 
 Each call is in a process of its own, whose peak of memory is given, too. Voro++ is left out where it is not found.
 """
@@ -102,9 +102,9 @@ def by_this_module(kind, n):
     facets, _ = seconds(lambda: diagram.voronoi_facets)
     sums, (volumes, areas) = seconds(lambda: (diagram.voronoi_volumes, diagram.voronoi_areas))
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
-    return {"cpu": triangulation + facets + sums, "triangulation": triangulation, "facets": facets, "volumes_and_areas": sums,
-            "solid_angles": seconds(lambda: diagram.solid_angles)[0], "volume": volumes.sum(), "surface": areas.sum(),
-            "peak": peak}
+    return {"cpu": triangulation + facets + sums, "triangulation": triangulation, "facets": facets,
+            "volumes_and_areas": sums, "solid_angles": seconds(lambda: diagram.solid_angles)[0],
+            "volume": volumes.sum(), "surface": areas.sum(), "peak": peak}
 
 
 def by_scipy(kind, n, hulls):
@@ -136,7 +136,8 @@ def compiled(folder):
 
 def alone(*arguments):
     """What this program prints when it is called for one of the above."""
-    done = subprocess.run([sys.executable, __file__, "--alone", *map(str, arguments)], check=True, capture_output=True, text=True)
+    command = [sys.executable, __file__, "--alone", *map(str, arguments)]
+    done = subprocess.run(command, check=True, capture_output=True, text=True)
     return json.loads(done.stdout)
 
 
@@ -150,9 +151,10 @@ def line(kind, n, repetitions, hulls, program):
                 if abs(results["voro"][name] / results["ours"][name] - 1) > 1e-9:
                     raise RuntimeError(f"{kind}: the sums of {name}s differ: {results}")
         rounds.append(results)
-    medians = {who: {name: round(statistics.median(results[who][name] for results in rounds), 4) for name in rounds[0][who]}
-               for who in rounds[0]}
-    ratios = {f"{who}_over_ours": round(medians[who]["cpu"] / medians["ours"]["cpu"], 2) for who in medians if who != "ours"}
+    medians = {who: {name: round(statistics.median(results[who][name] for results in rounds), 4)
+                     for name in rounds[0][who]} for who in rounds[0]}
+    ratios = {f"{who}_over_ours": round(medians[who]["cpu"] / medians["ours"]["cpu"], 2)
+              for who in medians if who != "ours"}
     return {"atoms": kind, "number": len(atoms_of(kind, n)[0]), **ratios, **medians}
 
 

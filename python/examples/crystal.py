@@ -4,9 +4,10 @@
 
 """A crystal of copper with a vacancy: volumes and coordination numbers of its atoms, and two of their cells.
 
-Each atom is displaced a little, as by heat, and one is missing. The cells of its twelve neighbours have become larger, and
-miss a facet. Where atoms are displaced, facets appear at the corners of cells: only those with 3/10 of the largest solid
-angle count. With Matplotlib a picture, crystal.png, is made of a neighbour's cell and of another one.
+Each atom is displaced a little, as by heat, and one is missing. The cells of its twelve neighbours have become
+larger, and miss a facet. Where atoms are displaced, facets appear at the corners of cells: only those with 3/10 of
+the largest solid angle count. With Matplotlib a picture, crystal.png, is made of a neighbour's cell and of another
+one.
 """
 
 import itertools

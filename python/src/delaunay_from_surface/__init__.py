@@ -22,9 +22,9 @@ import numpy as np
 
 from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads, whole_number
+from ._cells import CellPolyhedron, PeriodicPowerFacets, PowerFacets
 from ._dask import DaskTiles, delaunay3_dask
 from ._delaunay_from_surface import InsertionOrder, Stopped, __version__ as __version__
-from ._cells import CellPolyhedron, PeriodicPowerFacets, PowerFacets
 from ._periodic import Periodic3, PeriodicAlphaComplex, PeriodicNeighbors, PeriodicRegular3, SimplexCopies, periods_of
 from ._regular import Regular3, WeightedAlphaComplex
 from ._result import AlphaComplex, Delaunay3, InsideFigures

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numbers
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, List, NamedTuple, NoReturn, SupportsIndex, Tuple
+from typing import TYPE_CHECKING, Any, List, NamedTuple, NoReturn, Optional, SupportsIndex, Tuple
 
 import numpy as np
 
@@ -34,11 +34,11 @@ class PeriodicPowerFacets(NamedTuple):
     """(e, 2) int32: the ends of the edges of the triangulation: indices of points, ascending."""
 
     areas: Reals
-    """(e,) float64: the areas of the facets; -1 where they are unbounded, as on the hull of a box without some period."""
+    """(e,) float64: the areas of the facets; -1 where they are unbounded, as on the hull if some period is missing."""
 
     offsets: Indices
-    """(e, 3) int32: by how many periods the second end is moved, if the first is not. Positive, in lexicographical order,
-    where both are the same point."""
+    """(e, 3) int32: by how many periods the second end is moved, if the first is not. Positive, in lexicographical
+    order, where both are the same point."""
 
 
 class CellPolyhedron(NamedTuple):
@@ -58,7 +58,7 @@ class CellPolyhedron(NamedTuple):
 
 
 class Cells:
-    """What the results have in common about cells. The first public name of each kind says Voronoi, with weights power."""
+    """What the results of all kinds have in common about cells."""
 
     if TYPE_CHECKING:
         points: Coordinates
@@ -78,18 +78,23 @@ class Cells:
         def _in_box(self) -> InBox: ...
         def _needs_space(self, name: str) -> None: ...
 
+    @property
+    def _tetrahedra(self) -> Tuple[Coordinates, Optional[Reals], Indices, Indices, InBox]:
+        """As the extension takes them."""
+        return self.points, self.__dict__.get("_weights"), self.simplices, self.neighbors, self._in_box
+
     @cached_property
     def _diagram(self) -> Tuple[Reals, Indices, Indices, Reals, Indices, Places]:
-        """Volumes; and of each facet the two points, its offset in a box, its area, its number of corners, and its place."""
-        return _core.cell_facets(self.points, self.__dict__.get("_weights"), self.simplices, self.neighbors, self._in_box,
-                                 self._threads)
+        """Volumes; and of each facet the points, offset in a box, area, number of corners, and place."""
+        return _core.cell_facets(*self._tetrahedra, self._threads)
 
     @cached_property
     def _volumes_of_cells(self) -> Reals:
         if "_diagram" in self.__dict__:  # they are there, too
             volumes = self._diagram[0].copy()
         else:
-            volumes = _core.cell_volumes(self.points, self.__dict__.get("_weights"), self.simplices, self._in_box, self._threads)
+            points, weights, simplices, _, in_box = self._tetrahedra
+            volumes = _core.cell_volumes(points, weights, simplices, in_box, self._threads)
         volumes[self.convex_hull] = -1
         return self._of_cells(volumes)
 
@@ -112,28 +117,27 @@ class Cells:
 
     @property
     def facet_corners(self) -> Indices:
-        """(k,) int32: how many corners the facets of the Voronoi diagram have, or with weights those of the power diagram; -1
-        where they are unbounded. 0 if there are less than three, and the area is 0, too: the four points or more around such
-        an edge lie on the sphere of each of its tetrahedra, as in lattices. That is decided by exact arithmetic."""
+        """(k,) int32: how many corners the facets of the Voronoi diagram have, or with weights those of the power
+        diagram; -1 where they are unbounded. 0 if there are less than three, and the area is 0, too: so it is in
+        lattices, where tetrahedra around an edge have the same sphere. That is decided by exact arithmetic."""
         self._needs_space("facet_corners")
         return self._diagram[4]
 
     @cached_property
     def solid_angles(self) -> Reals:
         """(k, 2) float64: the solid angles of these facets as seen from the first and from the second point; -1 where
-        the facets are unbounded. Those of a bounded Voronoi cell add up to 4 pi. With weights a point may lie beyond a facet
-        of its cell, whose angle is negative then, and for points outside of their cells they add up to 0. If the point lies in
-        the facet, rounding decides. (Van Oosterom, Strackee 1983)"""
+        the facets are unbounded. Those of a bounded Voronoi cell add up to 4 pi. With weights a point may lie beyond a
+        facet of its cell, whose angle is negative then, and for points outside of their cells they add up to 0. If the
+        point lies in the facet, rounding decides. (Van Oosterom, Strackee 1983)"""
         self._needs_space("solid_angles")
         _, _, _, _, corners, places = self._diagram
-        angles = _core.solid_angles(self.points, self.__dict__.get("_weights"), self.simplices, self.neighbors, self._in_box,
-                                    places, self._threads)
+        angles = _core.solid_angles(*self._tetrahedra, places, self._threads)
         angles[corners == 0] = 0
         return angles
 
     def coordination(self, *, min_area: Radius = 0, min_solid_angle: Radius = 0) -> Indices:
-        """Return the coordination number of each point: how many facets its cell has that are large enough. (n,) int32; -1
-        where the cell is unbounded, and 0 for hidden points. Facets towards a point's own copies count.
+        """Return the coordination number of each point: how many facets its cell has that are large enough. (n,) int32;
+        -1 where the cell is unbounded, and 0 for hidden points. Facets towards a point's own copies count.
 
         Parameters
         ----------
@@ -143,8 +147,8 @@ class Cells:
             The least solid angle of a facet that counts, as seen from the point, as a share of the cell's largest
             (O'Keeffe 1979).
 
-        By default all facets count, however small. Coordinates of crystals are mostly rounded, and then have facets with
-        shares of 1e-16 where edges or corners of cells should be: a share of 0.01, say, leaves them out.
+        By default all facets count, however small. Coordinates of crystals are mostly rounded, and then there are
+        facets with shares of 1e-16 where edges or corners of cells should be: a share of 0.01, say, leaves them out.
 
         Raises ValueError if a share is not a number from 0 to 1, or all points lie in a plane.
         """
@@ -174,8 +178,7 @@ class Cells:
         simplex = self.vertex_to_simplex[vertex]
         corner = int(np.flatnonzero(self.simplices[simplex] == vertex)[0])
         try:
-            vertices, faces, neighbors, offsets = _core.cell_polyhedron(
-                self.points, self.__dict__.get("_weights"), self.simplices, self.neighbors, self._in_box, simplex, corner)
+            vertices, faces, neighbors, offsets = _core.cell_polyhedron(*self._tetrahedra, simplex, corner)
         except ValueError as error:
             self._has_no_cell(name, f"point {point}: {error}")
         place = np.asarray(self.points[point], dtype=float)
