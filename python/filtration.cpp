@@ -13,7 +13,7 @@
 // times that of the centre. So each simplex tells which of its faces its centre is beyond. These signs
 // are exact; values are right up to the last digit.
 
-#include "corners_in_box.h"
+#include "Corners.h"
 #include "functions.h"
 #include "interruptible.h"
 #include "numpy_rows.h"
@@ -649,12 +649,12 @@ py::list filtration(const Points& points, const py::object& weights, const Numbe
   };
   const auto in_copies = [&](const auto& copies) {
     return made(Moved_vertex(), vertex_of, [&](const Moved_vertex& v) {
-      return copies(std::size_t(v.point), v.offset.data());
+      return copies.copy(std::size_t(v.point), v.offset.data());
     });
   };
   if (!are_weighted)
-    return in_copies(python::Copies_of_points<false>(points, nullptr, box.box()));
-  return in_copies(python::Copies_of_points<true>(points, weight, box.box()));
+    return in_copies(python::Corners_in_box<false>(points, nullptr, box));
+  return in_copies(python::Corners_in_box<true>(points, weight, box));
 }
 
 // Represents doubles by integers with the same order.

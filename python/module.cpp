@@ -261,6 +261,7 @@ PYBIND11_MODULE(_delaunay_from_surface, m)
   m.def("periodic3", &periodic3);
   python::define_surface_functions(m);
   python::define_queries(m);
+  python::define_cells(m);
   python::define_inside(m);
   python::define_tiles(m);
   python::define_filtration(m);

@@ -5,8 +5,8 @@
 // Answers questions about a triangulation that is made: all is computed from NumPy's arrays of
 // points and simplices, whose numbers are checked when they are read.
 
+#include "Corners.h"
 #include "Unlocked.h"
-#include "corners_in_box.h"
 #include "functions.h"
 #include "interruptible.h"
 #include "numpy_rows.h"
@@ -184,21 +184,6 @@ struct Simplices_of
   }
 };
 
-double coordinate(const std::array<double, 3>& p, std::size_t axis)
-{
-  return p[axis];
-}
-double coordinate(const std::array<double, 4>& p, std::size_t axis)
-{
-  return p[axis];
-}
-template <bool has_weight>
-double coordinate(const core::Copy_place<has_weight>& p, std::size_t axis)
-{
-  return p.shift[axis] == 0 ? p.point[axis]
-                            : std::fma(p.shift[axis], p.periods->lengths[axis], p.point[axis]);
-}
-
 // Calls write(c, corners) for each tetrahedron c; corner_of(c, k, i) is its corner k, which is point
 // i of n.
 template <class CornerOf, class Write>
@@ -220,32 +205,23 @@ void measure_rows(const Rows& rows, std::size_t n, std::size_t threads, const Co
                        });
 }
 
-// The same for corners as measures_of_simplices.h takes them: coordinates or, in a box, copies.
-template <class Write>
-void measure(const Points& points, const Numbers& simplices, const py::object& in_box,
-             std::size_t threads, const Write& write)
+// The same for corners as measures_of_simplices.h takes them: coordinates or, in a box, copies, with
+// weights or without.
+template <bool has_weight = false, class Write>
+void measure(const Points& points, const py::object& weights, const Numbers& simplices,
+             const py::object& in_box, std::size_t threads, const Write& write)
 {
   const Rows rows(simplices);
-  if (rows.corners() != 4)
-    throw py::value_error("simplices: expected tetrahedra");
-  const Point_of point_of = {python::Points_view(points)};
-  const auto n = std::size_t(points.shape(0));
-  if (in_box.is_none()) {
-    measure_rows(
-        rows, n, threads, [&](std::size_t, std::size_t, std::size_t i) { return point_of(i); },
-        write);
-  } else {
-    const In_box of_simplices(in_box, rows);
-    const python::Copies_of_points<false> copies(points, nullptr, of_simplices.box());
-    measure_rows(rows, n, threads, of_simplices.corners(copies), write);
-  }
+  python::with_corners_of<has_weight>(points, weights, rows, in_box, [&](const auto& corner_of) {
+    measure_rows(rows, std::size_t(points.shape(0)), threads, corner_of, write);
+  });
 }
 
 py::array volumes(const Points& points, const Numbers& simplices, const py::object& in_box,
                   std::size_t threads)
 {
   std::vector<double> result(std::size_t(simplices.shape(0)));
-  measure(points, simplices, in_box, threads,
+  measure(points, py::none(), simplices, in_box, threads,
           [&](std::size_t c, const auto& corners) { result[c] = core::volume_of(corners); });
   return array_from(std::move(result), {simplices.shape(0)});
 }
@@ -255,93 +231,30 @@ py::tuple circumspheres(const Points& points, const Numbers& simplices, const py
 {
   const auto m = std::size_t(simplices.shape(0));
   std::vector<double> centers(3 * m), radii(m);
-  measure(points, simplices, in_box, threads, [&](std::size_t c, const auto& corners) {
+  measure(points, py::none(), simplices, in_box, threads, [&](std::size_t c, const auto& corners) {
     const core::Circumsphere sphere = core::circumsphere_of(corners);
     for (std::size_t i = 0; i < 3; ++i)
-      centers[3 * c + i] = coordinate(corners[0], i) + sphere.center[i];
+      centers[3 * c + i] = python::coordinate(corners[0], i) + sphere.center[i];
     radii[c] = sphere.radius();
   });
   return py::make_tuple(array_from(std::move(centers), {py::ssize_t(m), 3}),
                         array_from(std::move(radii), {py::ssize_t(m)}));
 }
 
-py::array voronoi_volumes(const Points& points, const Numbers& simplices, const py::object& in_box)
-{
-  const Rows rows(simplices);
-  const auto n = std::size_t(points.shape(0));
-  std::vector<double> result(n);
-  measure(points, simplices, in_box, 1, [&](std::size_t c, const auto& corners) {
-    const std::array<double, 4> shares = core::power_shares_of(corners).volumes;
-    for (std::size_t k = 0; k < 4; ++k)
-      result[std::size_t(rows.number(c, k, n))] += shares[k];
-  });
-  return array_from(std::move(result), {py::ssize_t(n)});
-}
-
-using Weights = py::array_t<double, py::array::c_style>;
-
-// Calls write(c, corners with weights) for each tetrahedron c.
-template <class Write>
-void measure_weighted(const Points& points, const Weights& weights, const Numbers& simplices,
-                      const py::object& in_box, std::size_t threads, const Write& write)
-{
-  const Rows rows(simplices);
-  if (weights.ndim() != 1 || weights.shape(0) != points.shape(0))
-    throw py::value_error("weights: expected one for each point");
-  const double* const weight = weights.data();
-  if (rows.corners() != 4)
-    throw py::value_error("simplices: expected tetrahedra");
-  const Point_of point_of = {python::Points_view(points)};
-  const auto n = std::size_t(points.shape(0));
-  if (in_box.is_none()) {
-    measure_rows(
-        rows, n, threads,
-        [&](std::size_t, std::size_t, std::size_t i) {
-          const std::array<double, 3> p = point_of(i);
-          return std::array<double, 4>{p[0], p[1], p[2], weight[i]};
-        },
-        write);
-  } else {
-    const In_box of_simplices(in_box, rows);
-    const python::Copies_of_points<true> copies(points, weight, of_simplices.box());
-    measure_rows(rows, n, threads, of_simplices.corners(copies), write);
-  }
-}
-
-py::tuple power_spheres(const Points& points, const Weights& weights, const Numbers& simplices,
+py::tuple power_spheres(const Points& points, const py::object& weights, const Numbers& simplices,
                         const py::object& in_box, std::size_t threads)
 {
   const auto m = std::size_t(simplices.shape(0));
   std::vector<double> centers(3 * m), squared_radii(m);
-  measure_weighted(points, weights, simplices, in_box, threads,
-                   [&](std::size_t c, const auto& corners) {
-                     const core::Power_sphere sphere = core::power_sphere_of(corners);
-                     for (std::size_t i = 0; i < 3; ++i)
-                       centers[3 * c + i] = coordinate(corners[0], i) + sphere.center[i];
-                     squared_radii[c] = sphere.squared_radius;
-                   });
+  measure<true>(points, weights, simplices, in_box, threads,
+                [&](std::size_t c, const auto& corners) {
+                  const core::Power_sphere sphere = core::power_sphere_of(corners);
+                  for (std::size_t i = 0; i < 3; ++i)
+                    centers[3 * c + i] = python::coordinate(corners[0], i) + sphere.center[i];
+                  squared_radii[c] = sphere.squared_radius;
+                });
   return py::make_tuple(array_from(std::move(centers), {py::ssize_t(m), 3}),
                         array_from(std::move(squared_radii), {py::ssize_t(m)}));
-}
-
-// Returns the volumes of power cells, and for each edge of each tetrahedron its share of the facet
-// that crosses it.
-py::tuple power_diagram(const Points& points, const Weights& weights, const Numbers& simplices,
-                        const py::object& in_box, std::size_t threads)
-{
-  const Rows rows(simplices);
-  const auto n = std::size_t(points.shape(0)), m = std::size_t(simplices.shape(0));
-  std::vector<double> areas(6 * m), shares(4 * m), volumes(n);
-  measure_weighted(
-      points, weights, simplices, in_box, threads, [&](std::size_t c, const auto& corners) {
-        const core::Power_shares of = core::power_shares_of(corners);
-        std::copy(of.areas.begin(), of.areas.end(), areas.begin() + std::ptrdiff_t(6 * c));
-        std::copy(of.volumes.begin(), of.volumes.end(), shares.begin() + std::ptrdiff_t(4 * c));
-      });
-  for (std::size_t i = 0; i < 4 * m; ++i)
-    volumes[std::size_t(rows.number(i / 4, i % 4, n))] += shares[i];
-  return py::make_tuple(array_from(std::move(volumes), {py::ssize_t(n)}),
-                        array_from(std::move(areas), {py::ssize_t(m), 6}));
 }
 
 py::array transform(const Points& points, const Numbers& simplices, std::size_t threads)
@@ -562,9 +475,7 @@ void python::define_queries(py::module_& m)
   m.def("minimum_spanning_tree", &minimum_spanning_tree);
   m.def("volumes", &volumes);
   m.def("circumspheres", &circumspheres);
-  m.def("voronoi_volumes", &voronoi_volumes);
   m.def("power_spheres", &power_spheres);
-  m.def("power_diagram", &power_diagram);
   m.def("transform", &transform);
   m.def("barycentric", &barycentric);
   m.def("barycentric_in_box", &barycentric_in_box);

@@ -24,6 +24,7 @@ inline void refuse_obstacle()
 // Each of these adds the functions of one file beside module.cpp to the extension.
 void define_surface_functions(pybind11::module_& m);
 void define_queries(pybind11::module_& m);
+void define_cells(pybind11::module_& m);
 void define_inside(pybind11::module_& m);
 void define_tiles(pybind11::module_& m);
 void define_filtration(pybind11::module_& m);

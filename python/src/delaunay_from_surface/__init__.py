@@ -23,23 +23,23 @@ import numpy as np
 from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads, whole_number
 from ._batch import delaunay3_batch
+from ._cells import CellPolyhedron, PeriodicPowerFacets, PowerFacets
 from ._dask import DaskTiles, delaunay3_dask
 from ._delaunay_from_surface import InsertionOrder, Stopped, __version__ as __version__
 from ._filtration import Filtration, filtration
 from ._moving import Changes, Moving
-from ._periodic import (Periodic3, PeriodicAlphaComplex, PeriodicNeighbors, PeriodicPowerFacets, PeriodicRegular3, SimplexCopies,
-                        periods_of)
+from ._periodic import Periodic3, PeriodicAlphaComplex, PeriodicNeighbors, PeriodicRegular3, SimplexCopies, periods_of
 from ._progress import Bar, shown
-from ._regular import PowerFacets, Regular3, WeightedAlphaComplex
+from ._regular import Regular3, WeightedAlphaComplex
 from ._result import AlphaComplex, Delaunay3, InsideFigures
 from ._tiles import Tile, Tiles, delaunay3_tiles
 from ._types import ArrayLike, Box, Faces, Indices, Points, Progress, Reals
 
-__all__ = ["AlphaComplex", "Changes", "DaskTiles", "Delaunay3", "Filtration", "InsertionOrder", "InsideFigures",
-           "Moving", "Periodic3", "PeriodicAlphaComplex", "PeriodicNeighbors", "PeriodicPowerFacets",
-           "PeriodicRegular3", "PowerFacets", "Regular3", "SimplexCopies", "Stopped", "SurfaceComponent",
-           "Tile", "Tiles", "WeightedAlphaComplex", "delaunay3", "delaunay3_batch", "delaunay3_dask",
-           "delaunay3_tiles", "filtration", "subgraph", "surface_topology"]
+__all__ = ["AlphaComplex", "CellPolyhedron", "Changes", "DaskTiles", "Delaunay3", "Filtration",
+           "InsertionOrder", "InsideFigures", "Moving", "Periodic3", "PeriodicAlphaComplex",
+           "PeriodicNeighbors", "PeriodicPowerFacets", "PeriodicRegular3", "PowerFacets", "Regular3",
+           "SimplexCopies", "Stopped", "SurfaceComponent", "Tile", "Tiles", "WeightedAlphaComplex", "delaunay3",
+           "delaunay3_batch", "delaunay3_dask", "delaunay3_tiles", "filtration", "subgraph", "surface_topology"]
 
 
 class SurfaceComponent(NamedTuple):

@@ -14,7 +14,8 @@ import numpy as np
 
 from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads
-from ._regular import CORNERS_OF_EDGES, Regular3
+from ._cells import PeriodicPowerFacets
+from ._regular import Regular3
 from ._result import Delaunay3
 from ._types import ArrayLike, Box, Indices, Offsets, Places, Points, Radius, Reals, Truths
 
@@ -66,20 +67,6 @@ class PeriodicAlphaComplex(NamedTuple):
 
     vertices: Indices
     """(v,) int32: indices of points. Without weights all vertices of the triangulation, whose balls have the radius 0."""
-
-
-class PeriodicPowerFacets(NamedTuple):
-    """The facets of the power diagram in a box, each between the cells of two copies of points, or of one point."""
-
-    pairs: Indices
-    """(e, 2) int32: the ends of the edges of the triangulation: indices of points, ascending."""
-
-    areas: Reals
-    """(e,) float64: the areas of the facets; -1 where they are unbounded, as on the hull of a box without some period."""
-
-    offsets: Indices
-    """(e, 3) int32: by how many periods the second end is moved, if the first is not. Positive, in lexicographical order,
-    where both are the same point."""
 
 
 def periods_of(box: Box) -> Reals:
@@ -200,7 +187,8 @@ class Periodic3(Delaunay3):
     def vertex_neighbor_vertices(self) -> PeriodicNeighbors:  # type: ignore[override]
         """(indptr, indices, offsets), (n + 1,) int64, (2 e,) int32 and (2 e, 3) int32 for e edges: the vertices that share an
         edge with point i are points[indices[j]] + offsets[j] * box for j from indptr[i] to indptr[i + 1] - 1."""
-        ends, offsets = self._edges_of_box[0]
+        self._needs_space("vertex_neighbor_vertices")
+        ends, _, offsets = self._facets_of_cells
         ends, offsets = np.concatenate([ends, ends[:, ::-1]]), np.concatenate([offsets, -offsets])
         order, _ = _numbered(np.concatenate([ends, offsets], axis=1))
         counts = np.bincount(ends[:, 0], minlength=self.npoints)
@@ -209,13 +197,13 @@ class Periodic3(Delaunay3):
     @property
     def edges(self) -> Indices:
         """(e, 2) int32: the edges, the smaller index first, in lexicographical order; those with the same ends by their offsets."""
-        return self._edges_of_box[0][0] if self.nsimplex else np.zeros((0, 2), dtype=np.int32)
+        return self._facets_of_cells[0] if self.nsimplex else np.zeros((0, 2), dtype=np.int32)
 
     @property
     def edge_offsets(self) -> Indices:
         """(e, 3) int32: by how many periods the second end of each edge is moved, if the first is not. Positive, in
         lexicographical order, where both are the same point."""
-        return self._edges_of_box[0][1] if self.nsimplex else np.zeros((0, 3), dtype=np.int32)
+        return self._facets_of_cells[2] if self.nsimplex else np.zeros((0, 3), dtype=np.int32)
 
     def find_simplex(self, xi: Points, bruteforce: bool = False, tol: Optional[float] = None, *,
                      threads: Optional[SupportsIndex] = 1) -> Indices:
@@ -277,6 +265,13 @@ class Periodic3(Delaunay3):
         return self.corners.reshape(-1, 3), np.arange(self.simplices.size, dtype=np.int32).reshape(self.simplices.shape)
 
     @property
+    def voronoi_facets(self) -> PeriodicPowerFacets:  # type: ignore[override]
+        """The facets of the Voronoi diagram: one crosses each edge of the triangulation. Two points may have several, at copies
+        that lie on different sides, and a point some with its own copies."""
+        self._needs_space("voronoi_facets")
+        return self._facets_of_cells
+
+    @property
     def inside(self) -> Truths:
         """Refused: no surface is given in a box."""
         self._not_in_box("inside", "give a surface without a box")
@@ -315,38 +310,14 @@ class Periodic3(Delaunay3):
             moved[..., axis] += offsets[..., axis] * self._box[axis]
         return moved
 
-    @cached_property
-    def _edges_of_box(self) -> Tuple[Tuple[Indices, Indices], Places]:
-        """Each edge once: its ends, ascending, and by how many periods the second is moved; and for each edge of each tetrahedron
-        which one it is."""
-        self._needs_space("edges")
-        first, second = CORNERS_OF_EDGES.T
-        offsets = (self.offsets[:, second].astype(np.int32) - self.offsets[:, first]).reshape(-1, 3)
-        ends = self.simplices[:, CORNERS_OF_EDGES].reshape(-1, 2)
-        sign = np.sign(offsets[:, 0])
-        for axis in (1, 2):
-            sign = np.where(sign == 0, np.sign(offsets[:, axis]), sign)
-        turned = (ends[:, 0] > ends[:, 1]) | ((ends[:, 0] == ends[:, 1]) & (sign < 0))
-        ends = np.where(turned[:, None], ends[:, ::-1], ends)
-        offsets = np.where(turned[:, None], -offsets, offsets)
-        first, place = _numbered(np.concatenate([ends, offsets], axis=1))
-        return (ends[first], offsets[first]), place
-
-
 class PeriodicRegular3(Periodic3, Regular3):  # type: ignore[misc]
     """A regular triangulation of points with weights in a periodic box: that of all copies, which have the weights of their
     points. It has what `Periodic3` and `Regular3` have; `power_facets` have offsets."""
 
-    @cached_property
+    @property
     def power_facets(self) -> PeriodicPowerFacets:  # type: ignore[override]
         """The facets of the power diagram, as those of `Regular3`: one crosses each edge of the triangulation. Two points may
         have several, at copies that lie on different sides. A facet's area over twice the length of the edge is the derivative of
         one point's volume by the other's weight, with a minus sign; where both are one point, that is none."""
         self._needs_space("power_facets")
-        (ends, offsets), place = self._edges_of_box
-        areas = np.zeros(len(ends))
-        np.add.at(areas, place, self._power_diagram[1].reshape(-1))
-        simplex, corner = self._hull
-        at_facet = (CORNERS_OF_EDGES[None] != corner[:, None, None]).all(axis=2)
-        areas[place.reshape(-1, 6)[simplex][at_facet]] = -1
-        return PeriodicPowerFacets(ends, areas, offsets)
+        return self._facets_of_cells

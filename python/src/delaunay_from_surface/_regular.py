@@ -7,15 +7,14 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any, NamedTuple, NoReturn, Tuple
+from typing import Any, NamedTuple, NoReturn, SupportsIndex, Tuple
 
 import numpy as np
 
 from . import _delaunay_from_surface as _core
+from ._cells import CellPolyhedron, PowerFacets
 from ._result import Delaunay3
 from ._types import Indices, Radius, Reals, Spheres
-
-CORNERS_OF_EDGES = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]])
 
 
 class WeightedAlphaComplex(NamedTuple):
@@ -32,16 +31,6 @@ class WeightedAlphaComplex(NamedTuple):
 
     vertices: Indices
     """(v,) int32: the same."""
-
-
-class PowerFacets(NamedTuple):
-    """The facets of the power diagram, each between the cells of two points."""
-
-    points: Indices
-    """(k, 2) int32: the two points, ascending; in lexicographical order."""
-
-    areas: Reals
-    """(k,) float64: their areas; -1 where they are unbounded."""
 
 
 class Regular3(Delaunay3):
@@ -96,32 +85,33 @@ class Regular3(Delaunay3):
         self._needs_space("squared_power_radii")
         return self._power_spheres[1]
 
-    @cached_property
-    def _power_diagram(self) -> Tuple[Reals, Reals]:
-        return _core.power_diagram(self.points, self._weights, self.simplices, self._in_box, self._threads)
-
-    @cached_property
+    @property
     def power_volumes(self) -> Reals:
         """(n,) float64: the volume of each point's power cell; -1 where it is unbounded, as on the convex hull, and 0 for
         hidden points. Equal points have the cell of their vertex."""
         self._needs_space("power_volumes")
-        volumes = self._power_diagram[0].copy()
-        volumes[self.convex_hull] = -1
-        return np.where(self.vertices < 0, 0, volumes[self.vertices])
+        return self._volumes_of_cells
 
-    @cached_property
+    @property
+    def power_areas(self) -> Reals:
+        """(n,) float64: the surface area of each point's power cell; -1 where it is unbounded, and 0 for hidden points."""
+        self._needs_space("power_areas")
+        return self._areas_of_cells
+
+    @property
     def power_facets(self) -> PowerFacets:
         """The facets of the power diagram: one crosses each edge of the triangulation, at right angles, perhaps beyond
         its ends. With their areas and the lengths of the edges they are the derivatives of the volumes: a facet's area
         over twice the length is that of one point's volume by the other's weight, with a minus sign."""
         self._needs_space("power_facets")
-        ends = np.sort(self.simplices[:, CORNERS_OF_EDGES].reshape(-1, 2), axis=1).astype(np.int64)
-        codes, place = np.unique(ends[:, 0] * self.npoints + ends[:, 1], return_inverse=True)
-        areas = np.zeros(len(codes))
-        np.add.at(areas, place.reshape(-1), self._power_diagram[1].reshape(-1))
-        hull = np.sort(self.convex_hull[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1).astype(np.int64)
-        areas[np.searchsorted(codes, hull[:, 0] * self.npoints + hull[:, 1])] = -1
-        return PowerFacets(np.stack(np.divmod(codes, self.npoints), axis=1).astype(np.int32), areas)
+        return self._facets_of_cells
+
+    def power_cell(self, i: SupportsIndex) -> CellPolyhedron:
+        """Return the power cell of point `i` as a polyhedron, as `Delaunay3.voronoi_cell()` does.
+
+        Raises ValueError if the point is hidden, or its cell unbounded, or as that does.
+        """
+        return self._cell("power_cell", i)
 
     def alpha_complex(self, alpha: Radius) -> WeightedAlphaComplex:  # type: ignore[override]
         """Return the weighted alpha complex: the simplices with an empty orthogonal sphere whose squared radius is at most
@@ -160,6 +150,20 @@ class Regular3(Delaunay3):
     def voronoi_volumes(self) -> Reals:
         """Refused as well."""
         self._refuse("voronoi_volumes", "use power_volumes")
+
+    @property
+    def voronoi_areas(self) -> Reals:
+        """Refused as well."""
+        self._refuse("voronoi_areas", "use power_areas")
+
+    @property
+    def voronoi_facets(self) -> PowerFacets:
+        """Refused as well."""
+        self._refuse("voronoi_facets", "use power_facets")
+
+    def voronoi_cell(self, i: SupportsIndex) -> CellPolyhedron:
+        """Refused as well."""
+        self._refuse("voronoi_cell", "use power_cell")
 
     def minimum_spanning_tree(self) -> Indices:
         """Refused: the edges here need not have one."""

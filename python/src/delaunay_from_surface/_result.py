@@ -14,6 +14,7 @@ import numpy as np
 
 from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads
+from ._cells import CellPolyhedron, Cells, PowerFacets
 from ._types import ArrayLike, Coordinates, InBox, Indices, Lists, Points, Radius, Reals, Spheres, Truths
 
 LEVELS = ("links", "euler", "orientation", "delaunay")
@@ -70,7 +71,7 @@ def _numbers_of(name: str, array: Indices) -> Indices:
     return narrow
 
 
-class Delaunay3:
+class Delaunay3(Cells):
     """A Delaunay triangulation in NumPy arrays. The names are those of scipy.spatial.Delaunay.
 
     Points, simplices and vertices are there; the rest is computed when it is first asked for, and kept. Where it
@@ -298,14 +299,33 @@ class Delaunay3:
         self._needs_space("circumradii")
         return self._circumspheres[1]
 
-    @cached_property
+    @property
     def voronoi_volumes(self) -> Reals:
         """(n,) float64: the volume of each point's Voronoi cell; -1 where it is unbounded, as on the convex hull.
         Equal points have the cell of their vertex."""
         self._needs_space("voronoi_volumes")
-        volumes = _core.voronoi_volumes(self.points, self.simplices, self._in_box)
-        volumes[self.convex_hull] = -1
-        return volumes[self.vertices]
+        return self._volumes_of_cells
+
+    @property
+    def voronoi_areas(self) -> Reals:
+        """(n,) float64: the surface area of each point's Voronoi cell; -1 where it is unbounded."""
+        self._needs_space("voronoi_areas")
+        return self._areas_of_cells
+
+    @property
+    def voronoi_facets(self) -> PowerFacets:
+        """The facets of the Voronoi diagram: one crosses each edge of the triangulation, at right angles, perhaps beyond
+        its ends. `facet_corners` and `solid_angles` have a row for each. Linear; at the peak 1 kB for each point."""
+        self._needs_space("voronoi_facets")
+        return self._facets_of_cells
+
+    def voronoi_cell(self, i: SupportsIndex) -> CellPolyhedron:
+        """Return the Voronoi cell of point `i` as a polyhedron, to be drawn, for example. Corners where more than four cells
+        meet are one, and facets that are only an edge or a corner are left out, by exact arithmetic.
+
+        Raises ValueError if the cell is unbounded, or if all points lie in a plane, or if there is no such point.
+        """
+        return self._cell("voronoi_cell", i)
 
     def alpha_complex(self, alpha: Radius) -> AlphaComplex:
         """Return the simplices that have an empty ball of radius `alpha` or less through their corners, with all

@@ -5,8 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_MEASURES_OF_SIMPLICES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_MEASURES_OF_SIMPLICES_H
 
-// Measures tetrahedra: volumes, spheres through the corners, cells of the Voronoi diagram and
-// barycentric coordinates. All are quotients of polynomials in the differences of coordinates. With
+// Measures tetrahedra: volumes, spheres through the corners and barycentric coordinates. All are quotients of polynomials in the differences of coordinates. With
 // exact predicates tetrahedra may be so flat that doubles give no correct digit of their volumes.
 // So each measure states which polynomials have to be known well. It is computed in doubles, which
 // are enough for most tetrahedra; if their error bounds are too large, in sums of two doubles; and
@@ -55,7 +54,8 @@ inline double quotient(const Scaled_double& n, const Scaled_double& d, int expon
 inline double root(const Scaled_double& n, int exponent)
 {
   const int power = n.exponent + exponent, odd = power & 1;
-  return std::ldexp(std::sqrt(std::ldexp(n.value, odd)), (power - odd) / 2);
+  return power == 0 ? std::sqrt(n.value)
+                    : std::ldexp(std::sqrt(std::ldexp(n.value, odd)), (power - odd) / 2);
 }
 
 // Compares absolute values.
@@ -298,94 +298,6 @@ Power_sphere power_sphere_of(const Corner (&corners)[4])
 {
   const std::array<double, 3> center = circumsphere_of(corners).center;
   return {center, dot(center, center) - weight_of(corners[0])};
-}
-
-// Represents what a tetrahedron adds to the power diagram of its corners. Each edge is crossed by a
-// facet, between the power cells of its ends; in each triangle at the edge, the centres of edge and
-// triangle, where the two and three powers are least and equal, and that of the tetrahedron form a
-// right triangle that belongs to it. Shares are signed: positive on the inner side of the triangle.
-struct Power_shares
-{
-  std::array<double, 6> areas;   // of edges 01, 02, 03, 12, 13, 23
-  std::array<double, 4> volumes; // of corners
-};
-
-inline std::size_t number_of_edge(std::size_t i, std::size_t j)
-{
-  return i < j ? i * (5 - i) / 2 + j - 1 : number_of_edge(j, i);
-}
-
-// Adds the shares of the edges and corners of one triangle, whose corners `at` are given relative to
-// an origin with the weight there less their own. o is the centre of the tetrahedron relative to the
-// first corner. The centre of the triangle has barycentric coordinates of[k] / (2 |n|^2).
-template <class Rows, class Number>
-bool add_power_shares(const std::array<std::array<Number, 3>, 4>& at,
-                      const std::array<Number, 4>& lifts, const unsigned char (&f)[3],
-                      const std::array<double, 3>& o, int unit, Power_shares& sums)
-{
-  const auto u = minus(at[f[1]], at[f[0]]), v = minus(at[f[2]], at[f[0]]), w = minus(v, u);
-  const auto n = cross(v, u); // inwards
-  if (!is_known<Rows>(n))
-    return false;
-  const Scaled_double length = Rows::rounded(n[largest_of<Rows>(n)]);
-  std::array<double, 3> normal;
-  for (std::size_t i = 0; i < 3; ++i)
-    normal[i] = quotient(Rows::rounded(n[i]), length);
-  const double height = dot(normal, o) / (4 * dot(normal, normal));
-  const auto uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
-  const auto of_u = lifts[f[1]] - lifts[f[0]], of_v = lifts[f[2]] - lifts[f[0]];
-  const std::array<Number, 3> of = {dot(w, w) * uv + of_v * uw - of_u * vw,
-                                    of_u * vv - of_v * uv - vv * uw,
-                                    of_v * uu - of_u * uv + uu * vw};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = f[(k + 1) % 3], j = f[(k + 2) % 3];
-    const auto edge = minus(at[i], at[j]);
-    const Number square = dot(edge, edge), of_weights = lifts[j] - lifts[i];
-    const double d = root(Rows::rounded(square), 2 * unit);
-    const double area = quotient(Rows::rounded(of[k]), length, 2 * unit) * (height / d);
-    const auto from = [&](const Number& twice) { // a third of the distance of an end
-      return area * (quotient(Rows::rounded(twice), {6, 0}, 2 * unit) / d);
-    };
-    sums.areas[number_of_edge(i, j)] += area;
-    sums.volumes[i] += from(square + of_weights);
-    sums.volumes[j] += from(square - of_weights);
-  }
-  return true;
-}
-
-// Returns the shares of a tetrahedron, NaNs if its corners are not finite: the sum over the tetrahedra of
-// an edge is the area of the facet that crosses it, and that over those of a vertex the volume of its
-// cell, by Voronoi's rule or, if corners have weights, by power.
-template <class Corner>
-Power_shares power_shares_of(const Corner (&corners)[4])
-{
-  constexpr double none = no_measure;
-  Power_shares shares = {{none, none, none, none, none, none}, {none, none, none, none}};
-  measure_at_corner(corners, 0, [&](const auto& in) {
-    using Rows = std::decay_t<decltype(in)>;
-    using Number = typename Rows::Number;
-    Circumsphere sphere;
-    if (!sphere.find(in))
-      return false;
-    const auto b = vector_of(in.rows[0]);
-    std::array<std::array<Number, 3>, 4> at = {minus(b, b)};
-    std::array<Number, 4> lifts;
-    lifts.fill(at[0][0]); // 0
-    for (std::size_t k = 1; k < 4; ++k) {
-      at[k] = vector_of(in.rows[k - 1]);
-      if constexpr (is_weighted<decltype(place_of(corners[0]))>)
-        lifts[k] = in.rows[k - 1].w - dot(at[k], at[k]);
-    }
-    Power_shares sums = {};
-    for (const auto& f : facet_corners) {
-      const auto o = minus(sphere.center, rounded_difference(corners[f[0]], corners[0]));
-      if (!add_power_shares<Rows>(at, lifts, f, o, in.unit, sums))
-        return false;
-    }
-    shares = sums;
-    return true;
-  });
-  return shares;
 }
 
 // Returns the barycentric coordinates of a point. They add up to 1, and are exact at a corner.

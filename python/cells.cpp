@@ -1,0 +1,844 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Measures cells of Voronoi diagrams and, with weights, power diagrams: volumes, facets, and polyhedra.
+//
+// A facet crosses an edge of the triangulation, and its corners are the centres of the tetrahedra in the
+// ring around the edge. Centres coincide where tetrahedra lie in one sphere, as in lattices: whether
+// they do is decided by exact arithmetic, so that such a facet has its true number of corners, and the
+// area 0 if that is less than three.
+
+#include "Corners.h"
+#include "Power_shares.h"
+#include "Unlocked.h"
+#include "functions.h"
+#include "interruptible.h"
+
+#include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+namespace core = CGAL::Delaunay_from_surface_3::core;
+
+namespace {
+
+using python::array_from;
+using python::Index;
+using python::Numbers;
+using python::Points;
+using python::Rows;
+
+using Vector = std::array<double, 3>;
+using Offset = std::array<int, 3>;
+
+// The tetrahedron across a facet. A corner of the facet has another number there; the number of the
+// corner opposite is that of the one opposite there.
+struct Across
+{
+  Index cell = -1;           // beyond the hull
+  unsigned char corners = 0; // two bits for each
+  bool has_same_center = false;
+
+  std::size_t corner(std::size_t k) const { return corners >> (2 * k) & 3u; }
+};
+
+// Returns a corner of facet k, the first of the tetrahedron if possible.
+std::size_t corner_beside(std::size_t k)
+{
+  return k == 0 ? 1 : 0;
+}
+
+[[noreturn]] void refuse_neighbors()
+{
+  throw std::invalid_argument("neighbors: they are not those of the simplices");
+}
+
+// Tetrahedra with their neighbours; in a box these are copies, which share the copy of a facet.
+template <class CornerOf>
+class Tetrahedra
+{
+public:
+  // Keeps references.
+  Tetrahedra(const Rows& vertices, const Rows& neighbors, std::size_t n, const CornerOf& corner_of)
+    : m_vertices(vertices)
+    , m_neighbors(neighbors)
+    , m_n(n)
+    , m_corner_of(corner_of)
+  {
+    if (neighbors.corners() != 4 || neighbors.size() != vertices.size())
+      throw std::invalid_argument("neighbors: expected four for each tetrahedron");
+  }
+
+  std::size_t size() const { return m_vertices.size(); }
+  std::size_t number_of_points() const { return m_n; }
+  Index vertex(std::size_t c, std::size_t k) const { return m_vertices.number(c, k, m_n); }
+  auto corner(std::size_t c, std::size_t k) const
+  {
+    return m_corner_of(c, k, std::size_t(vertex(c, k)));
+  }
+  Offset offset(std::size_t c, std::size_t k) const
+  {
+    const std::int16_t* const offsets = m_corner_of.offsets();
+    if (offsets == nullptr)
+      return {0, 0, 0};
+    const std::int16_t* const of_corner = offsets + 12 * c + 3 * k;
+    return {of_corner[0], of_corner[1], of_corner[2]};
+  }
+
+  Index neighbor(std::size_t c, std::size_t k) const
+  {
+    const Index d = m_neighbors.entry(c, k);
+    if (d >= 0 && std::size_t(d) >= size())
+      refuse_neighbors();
+    return d;
+  }
+
+  // Returns what lies across a facet, but not whether the centres are the same.
+  Across across(std::size_t c, std::size_t k) const
+  {
+    const Index d = neighbor(c, k);
+    if (d < 0)
+      return {};
+    for (std::size_t j = 0; j < 4; ++j)
+      if (m_neighbors.entry(std::size_t(d), j) == Index(c) && (d != Index(c) || j != k)) {
+        Across across = {d, 0, false};
+        if (match_corners(c, k, j, across))
+          return across;
+      }
+    refuse_neighbors();
+  }
+
+  // Returns whether a tetrahedron and that across facet k have the same centre, exactly.
+  bool have_same_center(std::size_t c, std::size_t k, const Across& across) const
+  {
+    const auto d = std::size_t(across.cell);
+    const std::size_t j = across.corner(k), s = corner_beside(k);
+    const std::array corners = {corner(c, 0), corner(c, 1), corner(c, 2), corner(c, 3)};
+    const auto apex = moved(corner(d, j), difference(offset(c, s), offset(d, across.corner(s))));
+    const decltype(core::place_of(apex)) places[4] = {
+        core::place_of(corners[0]), core::place_of(corners[1]), core::place_of(corners[2]),
+        core::place_of(corners[3])};
+    return core::exact_sign<core::Exact_sphere>(places, core::place_of(apex)).is_perturbed;
+  }
+
+  // Returns the position of the first corner relative to another.
+  Vector first_from(std::size_t c, std::size_t k) const
+  {
+    return k == 0 ? Vector() : core::rounded_difference(corner(c, 0), corner(c, k));
+  }
+
+  static Offset difference(const Offset& a, const Offset& b)
+  {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  }
+
+private:
+  // Finds the corners of facet k among those of the other tetrahedron without its corner j: they have the
+  // same vertices, and in a box all are moved alike.
+  bool match_corners(std::size_t c, std::size_t k, std::size_t j, Across& across) const
+  {
+    const auto d = std::size_t(across.cell);
+    const std::size_t s = corner_beside(k);
+    const Vertices here = vertices(c), there = vertices(d);
+    for (std::size_t first = 0; first < 4; ++first) {
+      if (first == j || there[first] != here[s])
+        continue;
+      const Offset by = difference(offset(d, first), offset(c, s));
+      std::size_t corners = j << 2 * k, number = 0;
+      for (std::size_t a = 0; a < 4; ++a)
+        for (std::size_t b = 0; b < 4; ++b)
+          if (here[a] == there[b] && a != k && b != j &&
+              difference(offset(d, b), offset(c, a)) == by) {
+            corners |= b << 2 * a;
+            ++number;
+          }
+      if (number == 3) {
+        across.corners = static_cast<unsigned char>(corners);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  using Vertices = std::array<Index, 4>;
+  Vertices vertices(std::size_t c) const
+  {
+    return {vertex(c, 0), vertex(c, 1), vertex(c, 2), vertex(c, 3)};
+  }
+
+  template <std::size_t size>
+  static std::array<double, size> moved(const std::array<double, size>& corner, const Offset&)
+  {
+    return corner;
+  }
+  template <bool has_weight>
+  static core::Copy_place<has_weight> moved(core::Copy_place<has_weight> corner, const Offset& by)
+  {
+    for (std::size_t a = 0; a < 3; ++a) {
+      const int shift = corner.shift[a] + by[a];
+      if (std::abs(shift) > (std::numeric_limits<std::int16_t>::max)())
+        throw std::invalid_argument("box: a corner is more than 32767 periods away from a point");
+      corner.shift[a] = std::int16_t(shift);
+    }
+    return corner;
+  }
+
+  const Rows& m_vertices;
+  const Rows& m_neighbors;
+  const std::size_t m_n;
+  const CornerOf& m_corner_of;
+};
+
+// Calls f(tetrahedra), unlocked.
+template <bool has_weight, class F>
+auto with_tetrahedra_of(const Points& points, const py::object& weights, const Numbers& simplices,
+                        const Numbers& neighbors, const py::object& in_box, const F& f)
+{
+  python::refuse_obstacle();
+  const Rows vertices(simplices), across(neighbors);
+  return python::with_corners_of<has_weight>(
+      points, weights, vertices, in_box, [&](const auto& corner_of) {
+        const python::Unlocked unlocked;
+        const core::Rounding_to_nearest rounding;
+        return f(Tetrahedra(vertices, across, std::size_t(points.shape(0)), corner_of));
+      });
+}
+template <class F>
+auto with_tetrahedra(const Points& points, const py::object& weights, const Numbers& simplices,
+                     const Numbers& neighbors, const py::object& in_box, const F& f)
+{
+  return weights.is_none()
+             ? with_tetrahedra_of<false>(points, weights, simplices, neighbors, in_box, f)
+             : with_tetrahedra_of<true>(points, weights, simplices, neighbors, in_box, f);
+}
+
+// Calls take(c, shares) for each tetrahedron c in its turn. Several threads find the shares.
+template <class CornerAt, class Take>
+void for_each_share(std::size_t number, const CornerAt& corner, const core::Executor& executor,
+                    const Take& take)
+{
+  constexpr std::size_t group = 1 << 14;
+  std::vector<python::Power_shares> shares((std::min)(group, number));
+  for (std::size_t begin = 0; begin < number; begin += group) {
+    const std::size_t size = (std::min)(group, number - begin);
+    core::for_each_block(executor, size, core::number_of_blocks(executor, size, 1024),
+                         [&](std::size_t first, std::size_t last, std::size_t) {
+                           for (std::size_t i = first; i < last; ++i) {
+                             const std::size_t c = begin + i;
+                             const decltype(corner(c, 0)) corners[4] = {corner(c, 0), corner(c, 1),
+                                                                        corner(c, 2), corner(c, 3)};
+                             shares[i] = python::power_shares_of(corners);
+                           }
+                         });
+    executor.interruption_point();
+    for (std::size_t i = 0; i < size; ++i)
+      take(begin + i, shares[i]);
+  }
+}
+
+// A tetrahedron in the ring around an edge: the ends of the edge, and the other two corners, in positive
+// orientation. The next one lies across the facet opposite to the first of these.
+struct Step
+{
+  std::size_t cell;
+  std::array<unsigned char, 4> at;
+  bool joins_next = false; // whether the next has the same centre
+
+  std::size_t edge() const { return python::number_of_edge(at[0], at[1]); }
+  std::size_t place() const { return 6 * cell + edge(); }
+  Step turned() const { return {cell, {at[1], at[0], at[3], at[2]}}; }
+  Step next(const Across& across) const
+  {
+    const auto corner = [&](std::size_t m) {
+      return static_cast<unsigned char>(across.corner(at[m]));
+    };
+    return {std::size_t(across.cell), {corner(0), corner(1), corner(3), corner(2)}};
+  }
+};
+
+// Returns edge `place` % 6 of tetrahedron `place` / 6.
+Step step_at(std::size_t place)
+{
+  static constexpr std::array<unsigned char, 4> corners[6] = {
+      {0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
+  return {place / 6, corners[place % 6]};
+}
+
+// Returns the same from the end that comes first, and of two copies of a point from that from which the
+// other is moved by a positive offset.
+template <class CornerOf>
+Step directed_step_at(const Tetrahedra<CornerOf>& tetrahedra, std::size_t place)
+{
+  const Step step = step_at(place);
+  const auto end = [&](std::size_t m) {
+    return std::pair(tetrahedra.vertex(step.cell, step.at[m]),
+                     tetrahedra.offset(step.cell, step.at[m]));
+  };
+  return end(1) < end(0) ? step.turned() : step;
+}
+
+// The tetrahedra around an edge, counterclockwise as seen from its second end.
+struct Ring
+{
+  std::vector<Step> steps;
+  bool is_closed = false;
+
+  // Finds it; one that has a step with a smaller place only if that is wanted.
+  template <class AcrossOf>
+  bool find(const Step& first, std::size_t most, const AcrossOf& across, bool from_anywhere = false)
+  {
+    steps.clear();
+    is_closed = false;
+    Step step = first;
+    for (std::size_t number = 0; number <= most; ++number) {
+      const Across to = across(step.cell, step.at[2]);
+      step.joins_next = to.has_same_center;
+      steps.push_back(step);
+      if (to.cell < 0)
+        return is_first_of_open(first.turned(), most, across);
+      step = step.next(to);
+      is_closed = step.cell == first.cell && step.at == first.at;
+      if (is_closed || (!from_anywhere && step.place() < first.place()))
+        return is_closed;
+    }
+    refuse_neighbors();
+  }
+
+  // Returns 0 if there are less than three.
+  int number_of_corners() const
+  {
+    const auto number = std::count_if(steps.begin(), steps.end(),
+                                      [](const Step& step) { return !step.joins_next; });
+    return number < 3 ? 0 : int(number);
+  }
+
+private:
+  template <class AcrossOf>
+  static bool is_first_of_open(Step step, std::size_t most, const AcrossOf& across)
+  {
+    const std::size_t place = step.place();
+    for (std::size_t number = 0; number <= most; ++number) {
+      const Across to = across(step.cell, step.at[2]);
+      if (to.cell < 0)
+        return true;
+      step = step.next(to);
+      if (step.place() < place)
+        return false;
+    }
+    refuse_neighbors();
+  }
+};
+
+struct Facet
+{
+  std::array<Index, 2> ends;
+  Offset offset;
+  int corners;
+  double area;
+  std::size_t place;
+};
+
+// What the facets take from one tetrahedron: in one place, since rings jump from one to the next.
+struct Part
+{
+  std::array<Across, 4> across;
+  std::array<double, 6> areas;
+  std::array<bool, 6> is_done = {}; // of edges
+  Vector center;                    // relative to the first corner
+};
+
+// Parts are sorted by space, since tetrahedra are not: across facets their numbers are those of parts.
+struct Parts
+{
+  std::vector<std::uint32_t> number_of;  // the part of each tetrahedron
+  std::vector<std::uint32_t> tetrahedra; // that of each part
+  std::vector<Part> parts;
+  std::vector<double> volumes; // of cells
+
+  Part& of(std::size_t tetrahedron) { return parts[number_of[tetrahedron]]; }
+  const Part& of(std::size_t tetrahedron) const { return parts[number_of[tetrahedron]]; }
+};
+
+// Sorts tetrahedra by their first corners along a curve of Morton's through 64 x 64 x 64 boxes.
+template <class CornerOf>
+core::Lists<std::uint32_t> sorted_by_space(const Tetrahedra<CornerOf>& tetrahedra)
+{
+  const std::size_t m = tetrahedra.size();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> least = {infinity, infinity, infinity},
+                        most = {-infinity, -infinity, -infinity};
+  std::vector<Vector> corners(m);
+  for (std::size_t c = 0; c < m; ++c) {
+    const auto corner = tetrahedra.corner(c, 0);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double x = corners[c][a] = python::coordinate(corner, a);
+      least[a] = (std::min)(least[a], x);
+      most[a] = (std::max)(most[a], x);
+    }
+  }
+  std::vector<std::uint32_t> boxes(m);
+  for (std::size_t c = 0; c < m; ++c)
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double share = (corners[c][a] - least[a]) / (most[a] - least[a]);
+      const auto number = unsigned(share >= 0 && share <= 1 ? 63 * share : 0); // or overflow
+      for (unsigned bit = 0; bit < 6; ++bit)
+        boxes[c] |= (number >> bit & 1u) << (3 * bit + unsigned(a));
+    }
+  return core::in_lists<std::uint32_t>(std::size_t(1) << 18,
+                                       core::Listed_items(
+                                           m, [&](std::size_t c) { return std::size_t(boxes[c]); },
+                                           [](std::size_t c) { return std::uint32_t(c); }));
+}
+
+template <class CornerOf>
+Parts parts_of(const Tetrahedra<CornerOf>& tetrahedra, const core::Executor& executor)
+{
+  const std::size_t m = tetrahedra.size();
+  Parts parts;
+  parts.volumes.resize(tetrahedra.number_of_points());
+  const auto sorted = sorted_by_space(tetrahedra);
+  parts.tetrahedra.assign(sorted.items.begin(), sorted.items.end());
+  parts.number_of.resize(m);
+  for (std::size_t i = 0; i < m; ++i)
+    parts.number_of[parts.tetrahedra[i]] = std::uint32_t(i);
+  parts.parts.resize(m);
+  for_each_share(
+      m, [&](std::size_t c, std::size_t k) { return tetrahedra.corner(c, k); }, executor,
+      [&](std::size_t c, const python::Power_shares& shares) {
+        parts.of(c).center = shares.center;
+        parts.of(c).areas = shares.areas;
+        for (std::size_t k = 0; k < 4; ++k)
+          parts.volumes[std::size_t(tetrahedra.vertex(c, k))] += shares.volumes[k];
+      });
+  return parts;
+}
+
+// Returns whether the centres of tetrahedra on both sides of a facet surely differ. Each is known up to
+// 2^-43 of its distance from the first corner (measures_of_simplices.h).
+template <class CornerOf>
+bool have_distant_centers(const Tetrahedra<CornerOf>& tetrahedra, const Parts& parts, std::size_t c,
+                          std::size_t k, const Across& across)
+{
+  const auto d = std::size_t(across.cell);
+  const std::size_t s = corner_beside(k);
+  const Vector from = tetrahedra.first_from(c, s);
+  const Vector from_there = tetrahedra.first_from(d, across.corner(s));
+  const Vector &center = parts.of(c).center, &center_there = parts.of(d).center;
+  double distance = 0, size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double x = center[i] + from[i], y = center_there[i] + from_there[i];
+    distance = (std::max)(distance, std::abs(x - y));
+    size += std::abs(center[i]) + std::abs(from[i]) + std::abs(center_there[i]) +
+            std::abs(from_there[i]);
+  }
+  return distance > 0x1p-40 * size + 0x1p-1000; // false if one is not finite
+}
+
+// Finds what lies across facet k of tetrahedron c, and writes it down for both.
+template <class CornerOf>
+void find_across(const Tetrahedra<CornerOf>& tetrahedra, std::size_t c, std::size_t k, Parts& parts)
+{
+  Across to = tetrahedra.across(c, k);
+  to.has_same_center =
+      !have_distant_centers(tetrahedra, parts, c, k, to) && tetrahedra.have_same_center(c, k, to);
+  Across back = {Index(parts.number_of[c]), 0, to.has_same_center};
+  for (std::size_t a = 0; a < 4; ++a)
+    back.corners = static_cast<unsigned char>(back.corners | a << 2 * to.corner(a));
+  parts.of(std::size_t(to.cell)).across[to.corner(k)] = back;
+  to.cell = Index(parts.number_of[std::size_t(to.cell)]);
+  parts.of(c).across[k] = to;
+}
+
+template <class CornerOf>
+void find_all_across(const Tetrahedra<CornerOf>& tetrahedra, Parts& parts,
+                     const core::Executor& executor)
+{
+  const std::size_t m = tetrahedra.size();
+  core::for_each_block(executor, m, core::number_of_blocks(executor, m, 4096),
+                       [&](std::size_t first, std::size_t last, std::size_t) {
+                         core::Steps step(executor);
+                         for (std::size_t i = first; i < last; ++i, step())
+                           for (std::size_t k = 0; k < 4; ++k) {
+                             const std::size_t c = parts.tetrahedra[i];
+                             if (tetrahedra.neighbor(c, k) >= Index(c))
+                               find_across(tetrahedra, c, k, parts);
+                           }
+                       });
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Index d = tetrahedra.neighbor(parts.tetrahedra[i], k);
+      if (parts.parts[i].across[k].cell != (d < 0 ? d : Index(parts.number_of[std::size_t(d)])))
+        refuse_neighbors();
+    }
+}
+
+template <class CornerOf>
+Facet facet_of(const Tetrahedra<CornerOf>& tetrahedra, const Parts& parts, const Ring& ring)
+{
+  const Step& first = ring.steps.front();
+  const Step s = directed_step_at(tetrahedra, 6 * parts.tetrahedra[first.cell] + first.edge());
+  Facet facet = {
+      {tetrahedra.vertex(s.cell, s.at[0]), tetrahedra.vertex(s.cell, s.at[1])},
+      tetrahedra.difference(tetrahedra.offset(s.cell, s.at[1]), tetrahedra.offset(s.cell, s.at[0])),
+      -1,
+      -1,
+      s.place()};
+  if (ring.is_closed) {
+    facet.corners = ring.number_of_corners();
+    facet.area = 0;
+    if (facet.corners > 0)
+      for (const Step& step : ring.steps)
+        facet.area += parts.parts[step.cell].areas[step.edge()];
+    facet.area = (std::max)(facet.area, 0.);
+  }
+  return facet;
+}
+
+// Returns the facets of all edges, sorted by their ends and offsets.
+template <class CornerOf>
+std::vector<Facet> facets_of(const Tetrahedra<CornerOf>& tetrahedra, Parts& parts,
+                             const core::Executor& executor)
+{
+  const std::size_t m = tetrahedra.size(), n = tetrahedra.number_of_points();
+  const auto across = [&](std::size_t c, std::size_t k) { return parts.parts[c].across[k]; };
+  const std::size_t blocks = core::number_of_blocks(executor, m, 4096);
+  std::vector<std::vector<Facet>> found(blocks);
+  core::for_each_block(
+      executor, m, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
+        core::Steps step(executor);
+        Ring ring;
+        for (std::size_t place = 6 * first; place < 6 * last; ++place, step()) {
+          if (!parts.parts[place / 6].is_done[place % 6] &&
+              ring.find(step_at(place), 6 * m, across)) {
+            found[b].push_back(facet_of(tetrahedra, parts, ring));
+            for (const Step& of_ring : ring.steps)
+              if (of_ring.cell < last) // others belong to other threads, which find out again
+                parts.parts[of_ring.cell].is_done[of_ring.edge()] = true;
+          }
+        }
+      });
+  std::vector<Facet> facets = std::move(found[0]);
+  for (std::size_t b = 1; b < blocks; ++b)
+    facets.insert(facets.end(), found[b].begin(), found[b].end());
+  const auto lists = core::in_lists<std::uint32_t>(
+      n, core::Listed_items(
+             facets.size(), [&](std::size_t f) { return std::size_t(facets[f].ends[0]); },
+             [](std::size_t f) { return std::uint32_t(f); }));
+  std::vector<Facet> sorted;
+  sorted.reserve(facets.size());
+  for (std::size_t v = 0; v < n; ++v) {
+    const auto begin = sorted.end() - sorted.begin();
+    for (const std::uint32_t* f = lists.begin(v); f != lists.end(v); ++f)
+      sorted.push_back(facets[*f]);
+    std::sort(sorted.begin() + begin, sorted.end(), [](const Facet& f, const Facet& g) {
+      return std::tie(f.ends[1], f.offset) < std::tie(g.ends[1], g.offset);
+    });
+  }
+  return sorted;
+}
+
+// Returns what `item` returns for each facet, as rows of so many entries.
+template <class T, class Item>
+py::array column_of(const std::vector<Facet>& facets, py::ssize_t entries, const Item& item)
+{
+  std::vector<T> column;
+  column.reserve(std::size_t(entries) * facets.size());
+  for (const Facet& facet : facets)
+    item(facet, column);
+  const auto number = py::ssize_t(facets.size());
+  return entries == 1 ? array_from(std::move(column), {number})
+                      : array_from(std::move(column), {number, entries});
+}
+
+// Returns the volumes of the cells, and of each facet its two points, its offset in a box, its area, its
+// number of corners, and its place, where its ring is found again; volumes are those without regard to
+// the hull, and areas and corners are -1 there.
+py::tuple cell_facets(const Points& points, const py::object& weights, const Numbers& simplices,
+                      const Numbers& neighbors, const py::object& in_box, std::size_t threads)
+{
+  std::vector<double> volumes;
+  const std::vector<Facet> facets =
+      with_tetrahedra(points, weights, simplices, neighbors, in_box, [&](const auto& tetrahedra) {
+        const python::Interruptible_executor executor(threads);
+        Parts parts = parts_of(tetrahedra, executor);
+        find_all_across(tetrahedra, parts, executor);
+        volumes = std::move(parts.volumes);
+        return facets_of(tetrahedra, parts, executor);
+      });
+  const auto append = [](auto& column, const auto& items) {
+    column.insert(column.end(), items.begin(), items.end());
+  };
+  return py::make_tuple(
+      array_from(std::move(volumes), {points.shape(0)}),
+      column_of<Index>(facets, 2, [&](const Facet& f, auto& to) { append(to, f.ends); }),
+      column_of<Index>(facets, 3, [&](const Facet& f, auto& to) { append(to, f.offset); }),
+      column_of<double>(facets, 1, [](const Facet& f, auto& to) { to.push_back(f.area); }),
+      column_of<Index>(facets, 1, [](const Facet& f, auto& to) { to.push_back(f.corners); }),
+      column_of<std::int64_t>(
+          facets, 1, [](const Facet& f, auto& to) { to.push_back(std::int64_t(f.place)); }));
+}
+
+// Returns the volumes of the cells alone, without regard to the hull.
+py::array cell_volumes(const Points& points, const py::object& weights, const Numbers& simplices,
+                       const py::object& in_box, std::size_t threads)
+{
+  const Rows rows(simplices);
+  const auto n = std::size_t(points.shape(0));
+  std::vector<double> volumes(n);
+  const auto add = [&](const auto& corner_of) {
+    const python::Unlocked unlocked;
+    const auto vertex = [&](std::size_t c, std::size_t k) {
+      return std::size_t(rows.number(c, k, n));
+    };
+    for_each_share(
+        rows.size(), [&](std::size_t c, std::size_t k) { return corner_of(c, k, vertex(c, k)); },
+        python::Interruptible_executor(threads),
+        [&](std::size_t c, const python::Power_shares& shares) {
+          for (std::size_t k = 0; k < 4; ++k)
+            volumes[vertex(c, k)] += shares.volumes[k];
+        });
+  };
+  if (weights.is_none())
+    python::with_corners_of<false>(points, weights, rows, in_box, add);
+  else
+    python::with_corners_of<true>(points, weights, rows, in_box, add);
+  return array_from(std::move(volumes), {points.shape(0)});
+}
+
+Vector unit_vector(const Vector& v)
+{
+  const double size = (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  const Vector near_1 = {v[0] / size, v[1] / size, v[2] / size};
+  const double length = std::sqrt(core::dot(near_1, near_1));
+  return {near_1[0] / length, near_1[1] / length, near_1[2] / length};
+}
+
+// Returns the solid angle of a polygon as seen from the origin: positive if it is counterclockwise as seen
+// from beyond. Source: A. van Oosterom, J. Strackee, The solid angle of a plane triangle, IEEE
+// Transactions on Biomedical Engineering 30 (1983).
+double solid_angle_of(const std::vector<Vector>& polygon)
+{
+  double half = 0;
+  const Vector a = unit_vector(polygon[0]);
+  Vector b = unit_vector(polygon[1]);
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Vector c = unit_vector(polygon[i]);
+    half += std::atan2(core::dot(a, core::cross(b, c)),
+                       1 + core::dot(a, b) + core::dot(b, c) + core::dot(c, a));
+    b = c;
+  }
+  return 2 * half;
+}
+
+// Returns the solid angles of facets, given by their places, from either end; -1 if they are unbounded.
+py::array solid_angles(const Points& points, const py::object& weights, const Numbers& simplices,
+                       const Numbers& neighbors, const py::object& in_box,
+                       const py::array_t<std::int64_t, py::array::c_style>& places,
+                       std::size_t threads)
+{
+  const auto number = std::size_t(places.size());
+  const std::int64_t* const place = places.data();
+  std::vector<double> angles(2 * number, -1);
+  with_tetrahedra(points, weights, simplices, neighbors, in_box, [&](const auto& tetrahedra) {
+    const std::size_t m = tetrahedra.size();
+    const python::Interruptible_executor executor(threads);
+    std::vector<Vector> centers(m);
+    core::for_each_block(executor, m, core::number_of_blocks(executor, m, 4096),
+                         [&](std::size_t first, std::size_t last, std::size_t) {
+                           core::Steps step(executor);
+                           for (std::size_t c = first; c < last; ++c, step()) {
+                             const decltype(tetrahedra.corner(c, 0)) corners[4] = {
+                                 tetrahedra.corner(c, 0), tetrahedra.corner(c, 1),
+                                 tetrahedra.corner(c, 2), tetrahedra.corner(c, 3)};
+                             centers[c] = core::circumsphere_of(corners).center;
+                           }
+                         });
+    const auto across = [&](std::size_t c, std::size_t k) { return tetrahedra.across(c, k); };
+    core::for_each_block(
+        executor, number, core::number_of_blocks(executor, number, 4096),
+        [&](std::size_t first, std::size_t last, std::size_t) {
+          core::Steps step(executor);
+          Ring ring;
+          std::vector<Vector> polygon;
+          for (std::size_t f = first; f < last; ++f, step()) {
+            if (place[f] < 0 || std::size_t(place[f]) >= 6 * m)
+              throw std::out_of_range("places: there is no such edge");
+            ring.find(directed_step_at(tetrahedra, std::size_t(place[f])), 6 * m, across, true);
+            for (std::size_t end = 0; end < 2 && ring.is_closed; ++end) {
+              polygon.clear();
+              for (const Step& s : ring.steps) {
+                const Vector from = tetrahedra.first_from(s.cell, s.at[end]);
+                const Vector& o = centers[s.cell];
+                polygon.push_back({o[0] + from[0], o[1] + from[1], o[2] + from[2]});
+              }
+              angles[2 * f + end] = (end == 0 ? 1 : -1) * solid_angle_of(polygon);
+            }
+          }
+        });
+  });
+  return array_from(std::move(angles), {py::ssize_t(number), 2});
+}
+
+// The tetrahedra at a vertex, each as often as it has copies there, and which of them have the same centre.
+class Star
+{
+public:
+  // Throws if the vertex is at the hull.
+  template <class CornerOf>
+  Star(const Tetrahedra<CornerOf>& tetrahedra, std::size_t cell, std::size_t corner)
+  {
+    add(4 * cell + corner);
+    std::vector<std::array<std::size_t, 2>> same;
+    for (std::size_t i = 0; i < m_corners.size(); ++i) {
+      const std::size_t c = m_corners[i] / 4, at = m_corners[i] % 4;
+      for (std::size_t k = 0; k < 4; ++k)
+        if (k != at) {
+          const Across across = tetrahedra.across(c, k);
+          if (across.cell < 0)
+            throw std::invalid_argument("its cell is unbounded");
+          const std::size_t number = add(4 * std::size_t(across.cell) + across.corner(at));
+          if (tetrahedra.have_same_center(c, k, across))
+            same.push_back({i, number});
+        }
+    }
+    core::Disjoint_sets<std::size_t> sets(m_corners.size());
+    for (const auto& pair : same)
+      sets.unite(pair[0], pair[1]);
+    for (std::size_t i = 0; i < m_corners.size(); ++i)
+      m_centers.push_back(sets.root(i));
+  }
+
+  // Each is four times a tetrahedron, plus the corner that is the vertex.
+  const std::vector<std::size_t>& corners() const { return m_corners; }
+
+  // Returns a number that is the same for tetrahedra with the same centre.
+  std::size_t center(const Step& step) const
+  {
+    return m_centers[m_numbers.at(4 * step.cell + step.at[0])];
+  }
+
+private:
+  std::size_t add(std::size_t corner)
+  {
+    const auto added = m_numbers.emplace(corner, m_corners.size());
+    if (added.second)
+      m_corners.push_back(corner);
+    return added.first->second;
+  }
+
+  std::vector<std::size_t> m_corners, m_centers;
+  std::map<std::size_t, std::size_t> m_numbers;
+};
+
+// A facet of one cell: the point beyond, its offset in a box, and the centres at its corners,
+// counterclockwise as seen from there.
+struct Face
+{
+  Index neighbor;
+  Offset offset;
+  std::vector<std::size_t> centers;
+};
+
+template <class CornerOf>
+std::vector<Face> faces_of(const Tetrahedra<CornerOf>& tetrahedra, const Star& star)
+{
+  const auto across = [&](std::size_t c, std::size_t k) { return tetrahedra.across(c, k); };
+  std::vector<Face> faces;
+  Ring ring;
+  for (const std::size_t corner : star.corners())
+    for (std::size_t j = 0; j < 4; ++j) {
+      const std::size_t c = corner / 4, k = corner % 4;
+      if (j == k)
+        continue;
+      Step first = step_at(6 * c + python::number_of_edge(j, k));
+      if (first.at[0] != k)
+        first = first.turned();
+      if (!ring.find(first, 6 * tetrahedra.size(), across))
+        continue;
+      Face face = {tetrahedra.vertex(c, j),
+                   tetrahedra.difference(tetrahedra.offset(c, j), tetrahedra.offset(c, k)),
+                   {}};
+      for (const Step& step : ring.steps)
+        if (face.centers.empty() || star.center(step) != face.centers.back())
+          face.centers.push_back(star.center(step));
+      if (face.centers.front() == face.centers.back())
+        face.centers.pop_back();
+      if (face.centers.size() > 2)
+        faces.push_back(std::move(face));
+    }
+  std::sort(faces.begin(), faces.end(), [](const Face& f, const Face& g) {
+    return std::tie(f.neighbor, f.offset) < std::tie(g.neighbor, g.offset);
+  });
+  return faces;
+}
+
+// Returns the polyhedron around a corner of a tetrahedron: vertices relative to the corner, and of each
+// face its vertices, the point beyond, and its offset in a box.
+py::tuple cell_polyhedron(const Points& points, const py::object& weights, const Numbers& simplices,
+                          const Numbers& neighbors, const py::object& in_box, std::size_t simplex,
+                          std::size_t corner)
+{
+  std::vector<double> vertices;
+  std::vector<Face> faces;
+  with_tetrahedra(points, weights, simplices, neighbors, in_box, [&](const auto& tetrahedra) {
+    const Star star(tetrahedra, simplex, corner);
+    faces = faces_of(tetrahedra, star);
+    std::map<std::size_t, std::size_t> numbers;
+    for (Face& face : faces)
+      for (std::size_t& center : face.centers) {
+        const auto numbered = numbers.emplace(center, numbers.size());
+        if (numbered.second) {
+          const std::size_t c = star.corners()[center] / 4, k = star.corners()[center] % 4;
+          const decltype(tetrahedra.corner(c, 0)) corners[4] = {
+              tetrahedra.corner(c, 0), tetrahedra.corner(c, 1), tetrahedra.corner(c, 2),
+              tetrahedra.corner(c, 3)};
+          const Vector o = core::circumsphere_of(corners).center;
+          const Vector from = tetrahedra.first_from(c, k);
+          for (std::size_t i = 0; i < 3; ++i)
+            vertices.push_back(o[i] + from[i]);
+        }
+        center = numbered.first->second;
+      }
+  });
+  py::list lists;
+  std::vector<Index> beyond, offsets;
+  for (const Face& face : faces) {
+    std::vector<Index> of_face(face.centers.begin(), face.centers.end());
+    const auto size = py::ssize_t(of_face.size());
+    lists.append(array_from(std::move(of_face), {size}));
+    beyond.push_back(face.neighbor);
+    offsets.insert(offsets.end(), face.offset.begin(), face.offset.end());
+  }
+  const auto rows = py::ssize_t(vertices.size() / 3), number = py::ssize_t(faces.size());
+  return py::make_tuple(array_from(std::move(vertices), {rows, 3}), lists,
+                        array_from(std::move(beyond), {number}),
+                        array_from(std::move(offsets), {number, 3}));
+}
+
+} // namespace
+
+void python::define_cells(py::module_& m)
+{
+  m.def("cell_volumes", &cell_volumes);
+  m.def("cell_facets", &cell_facets);
+  m.def("solid_angles", &solid_angles);
+  m.def("cell_polyhedron", &cell_polyhedron);
+}

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_CORNERS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_CORNERS_H
+
+// The corners of tetrahedra in NumPy's arrays, as measures_of_simplices.h takes them: coordinates, with
+// a weight or without, or copies of points in a periodic box.
+
+#include "numpy_rows.h"
+
+#include <CGAL/Delaunay_from_surface_3/arrays/Find_in_box.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Copy_vertex.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace python {
+
+namespace core = CGAL::Delaunay_from_surface_3::core;
+
+// What a triangulation has in a periodic box beside points and simplices: the periods, infinite ones
+// where there are none, and the offsets of the corners.
+class In_box
+{
+public:
+  explicit In_box(const py::object& pair, const Rows& rows)
+    : In_box(pair.cast<std::pair<Lengths, Offsets>>(), rows)
+  {
+  }
+
+  const double* box() const { return m_box.data(); }
+  const std::int16_t* offsets() const { return m_offsets.data(); }
+
+private:
+  using Lengths = py::array_t<double, py::array::c_style | py::array::forcecast>;
+  using Offsets = py::array_t<std::int16_t, py::array::c_style | py::array::forcecast>;
+
+  In_box(std::pair<Lengths, Offsets>&& pair, const Rows& rows)
+    : m_box(std::move(pair.first))
+    , m_offsets(std::move(pair.second))
+  {
+    if (m_box.ndim() != 1 || m_box.shape(0) != 3)
+      throw py::value_error("box: expected three periods");
+    if (m_offsets.ndim() != 3 || std::size_t(m_offsets.shape(0)) != rows.size() ||
+        std::size_t(m_offsets.shape(1)) != rows.corners() || m_offsets.shape(2) != 3)
+      throw py::value_error("offsets: expected three for each corner of the simplices");
+  }
+
+  Lengths m_box;
+  Offsets m_offsets;
+};
+
+// Corners of simplices in a box, whose points are copied, with weights if there are any.
+template <bool has_weight>
+class Corners_in_box
+{
+public:
+  // Keeps pointers.
+  Corners_in_box(const Points& points, const double* weights, const In_box& in_box)
+    : m_periods(core::periods_of(in_box.box()))
+    , m_offsets(in_box.offsets())
+  {
+    const Point_of point_of = {python::Points_view(points)};
+    const auto n = std::size_t(points.shape(0));
+    m_points.reserve(size * n);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (const double x : point_of(i)) {
+        m_points.push_back(x);
+        m_periods.are_scaled = m_periods.are_scaled && std::fabs(x) < 0x1p1000;
+      }
+      if (has_weight)
+        m_points.push_back(weights[i]);
+    }
+  }
+
+  // Corner k of simplex c, which is point i.
+  core::Copy_place<has_weight> operator()(std::size_t c, std::size_t k, std::size_t i) const
+  {
+    return copy(i, m_offsets + 12 * c + 3 * k);
+  }
+
+  // Point i, moved by these numbers of periods.
+  template <class Integer>
+  core::Copy_place<has_weight> copy(std::size_t i, const Integer* offset) const
+  {
+    return {m_points.data() + size * i,
+            &m_periods,
+            {std::int16_t(offset[0]), std::int16_t(offset[1]), std::int16_t(offset[2])}};
+  }
+
+  // Three for each corner.
+  const std::int16_t* offsets() const { return m_offsets; }
+
+private:
+  static constexpr std::size_t size = has_weight ? 4 : 3;
+  std::vector<double> m_points;
+  core::Periods m_periods;
+  const std::int16_t* m_offsets;
+};
+
+inline double coordinate(const std::array<double, 3>& p, std::size_t axis)
+{
+  return p[axis];
+}
+inline double coordinate(const std::array<double, 4>& p, std::size_t axis)
+{
+  return p[axis];
+}
+template <bool has_weight>
+double coordinate(const core::Copy_place<has_weight>& p, std::size_t axis)
+{
+  return p.shift[axis] == 0 ? p.point[axis]
+                            : std::fma(p.shift[axis], p.periods->lengths[axis], p.point[axis]);
+}
+
+// Corners of simplices without a box.
+template <bool has_weight>
+class Corners_of_points
+{
+public:
+  Corners_of_points(const Points& points, const double* weights)
+    : m_point_of{Points_view(points)}
+    , m_weights(weights)
+  {
+  }
+
+  auto operator()(std::size_t, std::size_t, std::size_t i) const
+  {
+    const std::array<double, 3> p = m_point_of(i);
+    if constexpr (has_weight)
+      return std::array<double, 4>{p[0], p[1], p[2], m_weights[i]};
+    else
+      return p;
+  }
+
+  const std::int16_t* offsets() const { return nullptr; }
+
+private:
+  const Point_of m_point_of;
+  const double* m_weights;
+};
+
+// Calls f(corner_of), where corner_of(c, k, i) is corner k of tetrahedron c, which is point i. The box
+// may be None.
+template <bool has_weight, class F>
+auto with_corners_of(const Points& points, const py::object& weights, const Rows& rows,
+                     const py::object& in_box, const F& f)
+{
+  if (rows.corners() != 4)
+    throw py::value_error("simplices: expected tetrahedra");
+  using Weights = py::array_t<double, py::array::c_style>;
+  const auto of_points = has_weight ? weights.cast<Weights>() : Weights();
+  if (has_weight && (of_points.ndim() != 1 || of_points.shape(0) != points.shape(0)))
+    throw py::value_error("weights: expected one for each point");
+  if (in_box.is_none())
+    return f(Corners_of_points<has_weight>(points, of_points.data()));
+  const In_box of_simplices(in_box, rows);
+  return f(Corners_in_box<has_weight>(points, of_points.data(), of_simplices));
+}
+
+} // namespace python
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_CORNERS_H
