@@ -17,6 +17,7 @@ import re
 import sys
 from pathlib import Path
 
+import kit_tables
 import paper_tables
 import speed_tables
 import use_tables
@@ -74,6 +75,10 @@ SHOWS = {  # in the table of the benchmark's README
     "python_threads": "its times on one and two threads, by the number of points; import, wheel",
     "python_peers": "the same against bindings of other libraries; rebuilds of points that move",
     "python_faults": "tetrahedra that these, a function of Open3D, SciPy and VTK miss, or that overlap",
+    "python_topology": "filtrations of alpha complexes beside GUDHI's",
+    "python_interpolation": "interpolators beside SciPy's",
+    "python_learning": "points that move in every step, what changes, and batches, beside SciPy and TetGen",
+    "python_materials": "Voronoi cells in a periodic box beside Voro++ and SciPy",
     "python_gaussians": "`triangulate()` of points of Gaussians",
     "gaussians_2M": "points of Gaussians, against the loop of Tetra-NeRF",
     "gaussians_5M": "the same",
@@ -137,6 +142,10 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (README, "control", ["control_64k", "control_256k"], paper_tables.control_of_readme),
     (README, "python", ["python"], use_tables.python_of_readme),
     (PYTHON, "threads", ["python_threads"], use_tables.python_threads),
+    (PYTHON, "topology", ["python_topology"], kit_tables.topology),
+    (PYTHON, "interpolation", ["python_interpolation"], kit_tables.interpolation),
+    (PYTHON, "learning", ["python_learning"], kit_tables.learning),
+    (PYTHON, "materials", ["python_materials"], kit_tables.materials),
     (PYTHON, "gaussians", ["python_gaussians", "gaussians_2M", "gaussians_5M", "gaussians_10M"], use_tables.gaussians),
     (BENCHMARK, "results", list(SHOWS), list_of_results),
     (MAIN_PAGE, "parts_counts", ["parts"], use_tables.counts_of_parts),
