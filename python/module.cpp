@@ -262,5 +262,6 @@ PYBIND11_MODULE(_delaunay_from_surface, m)
   python::define_surface_functions(m);
   python::define_queries(m);
   python::define_inside(m);
+  python::define_interpolation(m);
   python::define_tiles(m);
 }

@@ -25,6 +25,7 @@ inline void refuse_obstacle()
 void define_surface_functions(pybind11::module_& m);
 void define_queries(pybind11::module_& m);
 void define_inside(pybind11::module_& m);
+void define_interpolation(pybind11::module_& m);
 void define_tiles(pybind11::module_& m);
 
 } // namespace python

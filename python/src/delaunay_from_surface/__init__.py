@@ -24,6 +24,7 @@ from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads, whole_number
 from ._dask import DaskTiles, delaunay3_dask
 from ._delaunay_from_surface import InsertionOrder, Stopped, __version__ as __version__
+from ._interpolation import LinearInterpolator, NaturalNeighborInterpolator
 from ._periodic import (Periodic3, PeriodicAlphaComplex, PeriodicNeighbors, PeriodicPowerFacets, PeriodicRegular3, SimplexCopies,
                         periods_of)
 from ._regular import PowerFacets, Regular3, WeightedAlphaComplex
@@ -31,10 +32,11 @@ from ._result import AlphaComplex, Delaunay3, InsideFigures
 from ._tiles import Tile, Tiles, delaunay3_tiles
 from ._types import ArrayLike, Box, Faces, Indices, Points, Reals
 
-__all__ = ["AlphaComplex", "DaskTiles", "Delaunay3", "InsertionOrder", "InsideFigures", "Periodic3",
-           "PeriodicAlphaComplex", "PeriodicNeighbors", "PeriodicPowerFacets", "PeriodicRegular3", "PowerFacets", "Regular3",
-           "SimplexCopies", "Stopped", "SurfaceComponent", "Tile", "Tiles", "WeightedAlphaComplex", "delaunay3",
-           "delaunay3_dask", "delaunay3_tiles", "subgraph", "surface_topology"]
+__all__ = ["AlphaComplex", "DaskTiles", "Delaunay3", "InsertionOrder", "InsideFigures", "LinearInterpolator",
+           "NaturalNeighborInterpolator", "Periodic3", "PeriodicAlphaComplex", "PeriodicNeighbors",
+           "PeriodicPowerFacets", "PeriodicRegular3", "PowerFacets", "Regular3", "SimplexCopies", "Stopped",
+           "SurfaceComponent", "Tile", "Tiles", "WeightedAlphaComplex", "delaunay3", "delaunay3_dask",
+           "delaunay3_tiles", "subgraph", "surface_topology"]
 
 
 class SurfaceComponent(NamedTuple):
