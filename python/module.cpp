@@ -263,6 +263,7 @@ PYBIND11_MODULE(_delaunay_from_surface, m)
   python::define_queries(m);
   python::define_cells(m);
   python::define_inside(m);
+  python::define_interpolation(m);
   python::define_tiles(m);
   python::define_filtration(m);
   python::define_learning(m);

@@ -2,11 +2,11 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
-"""Linear interpolation between scattered points: values at the vertices, barycentric coordinates in between.
+"""Interpolation between scattered points: linear in tetrahedra, and between natural neighbours.
 
     python interpolate.py [picture.png]
 
-With a picture, which needs Matplotlib, a slice of the interpolated function is drawn beside the function itself.
+With a picture, which needs Matplotlib, a slice of the linear interpolant is drawn beside the function itself.
 """
 
 import sys
@@ -20,21 +20,18 @@ def function(x):
     return np.sin(6 * x[..., 0]) * np.cos(5 * x[..., 1]) + x[..., 2]
 
 
-def interpolate(triangulation, values, xi):
-    """Values at the points xi; NaN outside the convex hull."""
-    simplex = triangulation.find_simplex(xi, threads=None)
-    weights = triangulation.barycentric(xi, simplex)
-    return np.einsum("...i,...i->...", values[triangulation.simplices[simplex]], weights)
-
-
 def main():
     points = np.random.default_rng(0).random((2000, 3))
     triangulation = dfs.delaunay3(points)
     u, v = np.meshgrid(np.linspace(0, 1, 400), np.linspace(0, 1, 400))
     xi = np.stack([u, v, np.full_like(u, .5)], axis=-1)
-    found = interpolate(triangulation, function(points), xi)
+    found = dfs.LinearInterpolator(triangulation, function(points))(xi)
     print(f"mean error inside the hull: {np.nanmean(abs(found - function(xi))):.4f}; "
           f"{np.isnan(found).sum()} of {found.size} points are outside")
+    smooth = dfs.NaturalNeighborInterpolator(triangulation, function(points))(xi[::10, ::10])
+    print(f"between natural neighbours: {np.nanmean(abs(smooth - function(xi[::10, ::10]))):.4f}")
+    everywhere = dfs.LinearInterpolator(triangulation, function(points), outside="nearest")(xi)
+    print(f"with the nearest vertex outside, everywhere: {abs(everywhere - function(xi)).mean():.4f}")
     if len(sys.argv) > 1:
         import matplotlib
         matplotlib.use("Agg")

@@ -26,6 +26,7 @@ void define_surface_functions(pybind11::module_& m);
 void define_queries(pybind11::module_& m);
 void define_cells(pybind11::module_& m);
 void define_inside(pybind11::module_& m);
+void define_interpolation(pybind11::module_& m);
 void define_tiles(pybind11::module_& m);
 void define_filtration(pybind11::module_& m);
 void define_learning(pybind11::module_& m);

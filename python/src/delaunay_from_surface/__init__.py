@@ -27,6 +27,7 @@ from ._cells import CellPolyhedron, PeriodicPowerFacets, PowerFacets
 from ._dask import DaskTiles, delaunay3_dask
 from ._delaunay_from_surface import InsertionOrder, Stopped, __version__ as __version__
 from ._filtration import Filtration, filtration
+from ._interpolation import LinearInterpolator, NaturalNeighborInterpolator
 from ._moving import Changes, Moving
 from ._periodic import Periodic3, PeriodicAlphaComplex, PeriodicNeighbors, PeriodicRegular3, SimplexCopies, periods_of
 from ._progress import Bar, shown
@@ -36,10 +37,11 @@ from ._tiles import Tile, Tiles, delaunay3_tiles
 from ._types import ArrayLike, Box, Faces, Indices, Points, Progress, Reals
 
 __all__ = ["AlphaComplex", "CellPolyhedron", "Changes", "DaskTiles", "Delaunay3", "Filtration",
-           "InsertionOrder", "InsideFigures", "Moving", "Periodic3", "PeriodicAlphaComplex",
-           "PeriodicNeighbors", "PeriodicPowerFacets", "PeriodicRegular3", "PowerFacets", "Regular3",
-           "SimplexCopies", "Stopped", "SurfaceComponent", "Tile", "Tiles", "WeightedAlphaComplex", "delaunay3",
-           "delaunay3_batch", "delaunay3_dask", "delaunay3_tiles", "filtration", "subgraph", "surface_topology"]
+           "InsertionOrder", "InsideFigures", "LinearInterpolator", "Moving", "NaturalNeighborInterpolator",
+           "Periodic3", "PeriodicAlphaComplex", "PeriodicNeighbors", "PeriodicPowerFacets", "PeriodicRegular3",
+           "PowerFacets", "Regular3", "SimplexCopies", "Stopped", "SurfaceComponent", "Tile", "Tiles",
+           "WeightedAlphaComplex", "delaunay3", "delaunay3_batch", "delaunay3_dask", "delaunay3_tiles",
+           "filtration", "subgraph", "surface_topology"]
 
 
 class SurfaceComponent(NamedTuple):

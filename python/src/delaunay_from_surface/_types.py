@@ -26,10 +26,11 @@ if TYPE_CHECKING:
     Places = NDArray[np.int64]
     Reals = NDArray[np.float64]
     Truths = NDArray[np.bool_]
+    Values = NDArray[Any]
     Radius = Union[float, np.floating[Any], np.integer[Any]]
 else:
     ArrayLike = Box = Points = Faces = Progress = Any
-    Coordinates = Indices = Offsets = Places = Reals = Truths = np.ndarray
+    Coordinates = Indices = Offsets = Places = Reals = Truths = Values = np.ndarray
     Radius = float
 
 Lists = Tuple[Places, Indices]
