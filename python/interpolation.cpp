@@ -102,11 +102,13 @@ struct Values
 class Nearest_vertex
 {
 public:
-  // Keeps the pointers: the neighbours of v are items[first[v]], …, items[first[v + 1] - 1].
-  Nearest_vertex(Point_of point_of, const std::int64_t* first, const Index* items, Index any)
+  // Keeps pointers to both arrays: the neighbours of v are items[first[v]], …, items[first[v + 1] - 1].
+  Nearest_vertex(Point_of point_of, const Places& first, const Numbers& items, Index any)
     : m_point_of(point_of)
-    , m_first(first)
-    , m_items(items)
+    , m_first(first.data())
+    , m_items(items.data())
+    , m_number(first.size() - 1)
+    , m_number_of_items(items.size())
     , m_last(any)
   {
   }
@@ -137,8 +139,14 @@ private:
   template <class Visit>
   void for_neighbors(Index v, const Visit& visit) const
   {
-    for (std::int64_t i = m_first[v]; i < m_first[v + 1]; ++i)
+    const std::int64_t first = m_first[v], last = m_first[v + 1];
+    if (first < 0 || last > m_number_of_items)
+      refuse_triangulation();
+    for (std::int64_t i = first; i < last; ++i) {
+      if (m_items[i] < 0 || m_items[i] >= m_number)
+        refuse_triangulation();
       visit(m_items[i]);
+    }
   }
 
   // Compares the distances of two vertices.
@@ -160,6 +168,7 @@ private:
   const Point_of m_point_of;
   const std::int64_t* const m_first;
   const Index* const m_items;
+  const std::int64_t m_number, m_number_of_items;
   Index m_last;
   std::vector<Index> m_equal;
 };
@@ -258,13 +267,8 @@ private:
 
   struct Half_edge
   {
+    std::uint64_t edge; // the same for both
     std::size_t from, to, apex;
-
-    auto ends() const { return std::minmax(from, to); }
-    bool operator<(const Half_edge& other) const
-    {
-      return std::make_pair(ends(), from) < std::make_pair(other.ends(), other.from);
-    }
   };
 
   // Finds the facets of the conflict zone, with corners numbered, and its vertices.
@@ -358,14 +362,19 @@ private:
   {
     m_edges.clear();
     for (const Facet& f : facets)
-      for (std::size_t k = 0; k < 3; ++k)
-        m_edges.push_back({f[k], f[(k + 1) % 3], f[(k + 2) % 3]});
-    std::sort(m_edges.begin(), m_edges.end());
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint64_t i = f[k], j = f[(k + 1) % 3];
+        m_edges.push_back(
+            {(std::min)(i, j) << 32 | (std::max)(i, j), f[k], f[(k + 1) % 3], f[(k + 2) % 3]});
+      }
+    std::sort(m_edges.begin(), m_edges.end(), [](const Half_edge& a, const Half_edge& b) {
+      return a.edge != b.edge ? a.edge < b.edge : a.from < b.from;
+    });
   }
   bool is_double(std::size_t e) const
   {
-    return e + 1 < m_edges.size() && m_edges[e].from == m_edges[e + 1].to &&
-           m_edges[e].to == m_edges[e + 1].from;
+    return e + 1 < m_edges.size() && m_edges[e].edge == m_edges[e + 1].edge &&
+           m_edges[e].from == m_edges[e + 1].to;
   }
 
   void weigh_in_space(const Point& q)
@@ -604,6 +613,8 @@ py::array interpolated(const Points& points, const Numbers& simplices, const Num
   const bool has_nearest = !lists.is_none();
   if (has_nearest)
     std::tie(first_neighbors, items) = lists.cast<std::pair<Places, Numbers>>();
+  if (has_nearest && std::size_t(first_neighbors.size()) != n + 1)
+    throw py::value_error("interpolation: expected the neighbours of each point");
   const View view = {vertices.data(),
                      vertices.stride(),
                      across.data(),
@@ -626,19 +637,18 @@ py::array interpolated(const Points& points, const Numbers& simplices, const Num
       coordinates[i] = copied(i / 3, i % 3);
     const python::Unlocked unlocked;
     const core::Point_array of_group(coordinates.data(), size);
-    core::for_each_block(executor, size, core::number_of_blocks(executor, size, 256),
-                         [&](std::size_t first, std::size_t last, std::size_t) {
-                           std::vector<std::size_t> order;
-                           for (std::size_t i = first; i < last; ++i)
-                             if (is_finite_point(of_group[i]))
-                               order.push_back(i);
-                           Nearest_vertex nearest(point_of, first_neighbors.data(), items.data(),
-                                                  Index(view.vertex(0, 0)));
-                           interpolate_block<Method>(view, point_of, of_group, order, rows,
-                                                     fill.data(), has_nearest ? &nearest : nullptr,
-                                                     executor,
-                                                     results.data() + rows.columns * begin);
-                         });
+    core::for_each_block(
+        executor, size, core::number_of_blocks(executor, size, 256),
+        [&](std::size_t first, std::size_t last, std::size_t) {
+          std::vector<std::size_t> order;
+          for (std::size_t i = first; i < last; ++i)
+            if (is_finite_point(of_group[i]))
+              order.push_back(i);
+          Nearest_vertex nearest(point_of, first_neighbors, items, Index(view.vertex(0, 0)));
+          interpolate_block<Method>(view, point_of, of_group, order, rows, fill.data(),
+                                    has_nearest ? &nearest : nullptr, executor,
+                                    results.data() + rows.columns * begin);
+        });
   }
   return array_from(std::move(results), {py::ssize_t(number), py::ssize_t(rows.columns)});
 }

@@ -95,7 +95,7 @@ class Delaunay3:
     ===================  ===========================================  =============================================
 
     There are no `add_points`, `close`, `equations`, `good`, `lift_points`, `paraboloid_scale`, `plane_distance`, and
-    SciPy's interpolators take only its own class: `barycentric` has the weights for linear interpolation.
+    SciPy's interpolators take only its own class: `LinearInterpolator` is there in place of `LinearNDInterpolator`.
     """
 
     points: Coordinates
