@@ -36,6 +36,8 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/Find_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 
@@ -48,6 +50,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -511,11 +514,11 @@ private:
   // Returns that of the largest share that is known.
   int largest_exponent() const
   {
-    int largest = std::numeric_limits<int>::min();
+    int largest = (std::numeric_limits<int>::min)();
     for (const Share& share : m_shares)
       if (share.total() > share.error)
         largest = (std::max)(largest, share.exponent + std::ilogb(share.total()));
-    return largest == std::numeric_limits<int>::min() ? 0 : largest;
+    return largest == (std::numeric_limits<int>::min)() ? 0 : largest;
   }
 
   const double* place(std::size_t v) const { return m_places[v].data(); }

@@ -2,14 +2,14 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Compares the interpolators of the Python module with scipy.interpolate.LinearNDInterpolator, in turns, and writes JSON.
+"""Compares the interpolators of the Python module with SciPy's LinearNDInterpolator, in turns, and writes JSON.
 
     python3 measure_interpolation.py [--points N] [--queries N] [--repetitions N] [--limit SECONDS] [--output FILE]
 
-Each way triangulates N points and interpolates at the queries, in a process of its own, by the clock on the wall: points in a
-cube, with queries in a random order and on a grid; and in UTM's coordinates a surface that is scanned, and a tenth of the points
-in a lattice that is turned, with queries at its points and halfway between them, none of which is outside. The numbers of results that are NaN, and the largest error for a linear function, come with
-the times.
+Each way triangulates N points and interpolates at the queries, in a process of its own, by the clock on the wall:
+points in a cube, with queries in a random order and on a grid; and in UTM's coordinates a surface that is scanned, and
+a tenth of the points in a lattice that is turned, with queries at its points and halfway between them, none of which
+is outside. The numbers of results that are NaN, and the largest error for a linear function, come with the times.
 """
 
 import argparse
@@ -28,9 +28,10 @@ from measure_python import bumpy_sphere, machine, run_apart
 def ways_of(points, values, xi):
     ways = {"SciPy, linear": lambda: scipy.interpolate.LinearNDInterpolator(points, values)(xi)}
     for name, kind in (("linear", dfs.LinearInterpolator), ("natural neighbours", dfs.NaturalNeighborInterpolator)):
-        ways.update({f"{name}, {threads}": lambda kind=kind, threads=threads: kind(points, values, threads=threads)(xi)
-                     for threads in (1, 2)})
-    ways["linear, nearest outside, 2"] = lambda: dfs.LinearInterpolator(points, values, outside="nearest", threads=2)(xi)
+        for threads in (1, 2):
+            ways[f"{name}, {threads}"] = lambda kind=kind, threads=threads: kind(points, values, threads=threads)(xi)
+    everywhere = {"outside": "nearest", "threads": 2}
+    ways["linear, nearest outside, 2"] = lambda: dfs.LinearInterpolator(points, values, **everywhere)(xi)
     return ways
 
 
@@ -66,7 +67,8 @@ def sets(n, queries):
     origin, turn, side = [5e5, 4.6e6, 100], np.linalg.qr(rng.normal(size=(3, 3)))[0], round((n / 10) ** (1 / 3))
     lattice, halves = (np.stack(np.meshgrid(*3 * [steps], indexing="ij"), axis=-1).reshape(-1, 3)
                        for steps in (np.arange(float(side)), np.arange(1, side - 1.5, .5)))
-    yield "a lattice that is turned, far away", lattice @ turn + origin, halves @ turn + origin
+    points = lattice @ turn + origin
+    yield "a lattice that is turned, far away", points, np.vstack([points, halves @ turn + origin])
     scan = 100 * bumpy_sphere(n)
     yield ("a scanned surface, far away", scan + origin,
            scan[rng.integers(0, n, queries)] * rng.random((queries, 1)) + origin)

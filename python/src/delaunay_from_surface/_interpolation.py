@@ -52,10 +52,11 @@ class _Interpolator:
             raise ValueError('outside: "nearest" is not there for periodic boxes and points with weights: leave it out')
 
     def __call__(self, *xi: Any) -> Values:
-        """Return the values at the points `xi`: an array of shape (…, 3), or three arrays x, y and z that are broadcast.
+        """Return the values at the points `xi`: an array of shape (…, 3), or three arrays x, y and z that are
+        broadcast.
 
-        The result has the shape (…) and that of one value; float64 or complex128. Three numbers in one list are an array
-        of one point, as in SciPy. The points are sorted by space, and each is looked for from the one before.
+        The result has the shape (…) and that of one value; float64 or complex128. Three numbers in one list are an
+        array of one point, as in SciPy. The points are sorted by space, and each is looked for from the one before.
         """
         queries, shape = _queries_of(xi)
         return self._values_at(queries).view(self.values.dtype).reshape(shape + self.values.shape[1:])
@@ -91,16 +92,18 @@ class LinearInterpolator(_Interpolator):
         >>> interpolator(.5, .5, [.25, .5, .75]).round(12).tolist()
         [2.25, 3.0, 3.75]
 
-    Tetrahedra are found exactly, and in flat ones weights are computed with as many digits as it takes. So the result is
-    never NaN inside the hull or on it unless a value is; at a vertex it is the value, to the last digit; and linear
+    Tetrahedra are found exactly, and in flat ones weights are computed with as many digits as it takes. So the result
+    is never NaN inside the hull or on it unless a value is; at a vertex it is the value, to the last digit; and linear
     functions are reproduced. In the rest it differs from SciPy's as follows: where a query is not a finite number the
-    result is NaN, not the fill value; and there is no `rescale`: if the axes have different units, scale points and queries.
+    result is NaN, not the fill value; and there is no `rescale`: if the axes have different units, scale points and
+    queries.
 
     Parameters
     ----------
     points
-        A triangulation, or points (n, 3) as `delaunay3` takes them, which are triangulated. In a periodic box all copies
-        of a point have its value, and queries may be anywhere. If points have weights, those that are hidden have no say.
+        A triangulation, or points (n, 3) as `delaunay3` takes them, which are triangulated. In a periodic box all
+        copies of a point have its value, and queries may be anywhere. If points have weights, those that are hidden
+        have no say.
     values
         The value of each point: (n, …) real or complex numbers, converted to float64 or complex128. Of equal points the
         first one counts, which `triangulation.vertices` names. Values need not be finite: one that is not matters
@@ -108,26 +111,27 @@ class LinearInterpolator(_Interpolator):
     fill_value
         The value outside the hull.
     outside
-        "fill", or "nearest": outside the hull queries get the value of the nearest vertex, exactly; of several that with
-        the smallest index. That is not there for periodic boxes and points with weights.
+        "fill", or "nearest": outside the hull queries get the value of the nearest vertex, exactly; of several that
+        with the smallest index. That is not there for periodic boxes and points with weights.
     threads
         How many threads work, at most 64; None: as many as there are processors. The results are the same.
 
     Raises
     ------
     ValueError
-        If the points lie in a plane, there are not as many values as points, an array is masked, or `outside` or `threads`
-        is none of those above.
+        If the points lie in a plane, there are not as many values as points, an array is masked, or `outside` or
+        `threads` is none of those above.
     TypeError
         If values are no numbers, or only the fill value is complex.
     """
 
     def gradients(self, *xi: Any) -> Values:
-        """Return the gradients at the points `xi`, given as in a call: those of the linear functions in their tetrahedra.
+        """Return the gradients at the points `xi`, given as in a call: those of the linear functions in their
+        tetrahedra.
 
-        The result has the shape (…), that of one value, and 3. Outside the hull it is NaN. On a facet it is the gradient
-        in the tetrahedron with the smaller number. Differences of values are rounded: a gradient is as wrong as that makes
-        it, which may be much in a flat tetrahedron.
+        The result has the shape (…), that of one value, and 3. Outside the hull it is NaN. On a facet it is the
+        gradient in the tetrahedron with the smaller number. Differences of values are rounded: a gradient is as wrong
+        as that makes it, which may be much in a flat tetrahedron.
         """
         queries, shape = _queries_of(xi)
         of, rows = self.triangulation, self._rows
@@ -161,8 +165,8 @@ class LinearInterpolator(_Interpolator):
 
 
 class NaturalNeighborInterpolator(_Interpolator):
-    """Interpolation between natural neighbours, by Laplace's weights (Belikov, Ivanov, Kontorovich, Korytnik, Semenov 1997;
-    Hiyoshi, Sugihara 1999; Sukumar, Moran, Semenov, Belikov 2001).
+    """Interpolation between natural neighbours, by Laplace's weights (Belikov, Ivanov, Kontorovich, Korytnik, Semenov
+    1997; Hiyoshi, Sugihara 1999; Sukumar, Moran, Semenov, Belikov 2001).
 
         >>> import numpy as np, delaunay_from_surface as dfs
         >>> points = np.random.default_rng(0).random((1000, 3))
@@ -172,17 +176,17 @@ class NaturalNeighborInterpolator(_Interpolator):
 
     If a query were a point, its Voronoi cell would have facets with those of some vertices, its natural neighbours. The
     weight of each is the area of the facet over the distance, divided by the sum of these. The interpolant reproduces
-    linear functions, lies between the least and the greatest value of the neighbours, and does not depend on how ties are
-    broken; it is continuous, and smooth but at the points and on the spheres through the corners of tetrahedra, where its
-    gradient jumps. It is what finite volumes see: the Laplacian over a Voronoi cell is 0.
+    linear functions, lies between the least and the greatest value of the neighbours, and does not depend on how ties
+    are broken; it is continuous, and smooth but at the points and on the spheres through the corners of tetrahedra,
+    where its gradient jumps. It is what finite volumes see: the Laplacian over a Voronoi cell is 0.
 
     Which vertices are neighbours is decided exactly. Areas are computed with as many digits as it takes to know the
-    weights up to about 1e-12. On the hull, where cells are unbounded, weights are the limits from inside: those between the
-    natural neighbours in the plane, and linear ones on edges. The time for a query grows with the number of its neighbours,
-    about 20 of random points; but there may be as many as points.
+    weights up to about 1e-12. On the hull, where cells are unbounded, weights are the limits from inside: only vertices
+    in the same plane count, and on edges of the hull weights are linear. The time for a query grows with the number of
+    its neighbours, about 20 among random points; but there may be as many as points.
 
-    What is given, and what is refused, is the same as for `LinearInterpolator`, but points with weights and periodic boxes are
-    refused as well.
+    What is given, and what is refused, is the same as for `LinearInterpolator`, but points with weights and periodic
+    boxes are refused as well.
     """
 
     def __init__(self, points: Union[Delaunay3, Points], values: ArrayLike, fill_value: complex = np.nan, *,
