@@ -207,6 +207,12 @@ public:
     return core::Bounded_rows<Numbers, int(size), Place>(others, origin);
   }
   auto in_integers() const { return core::Integer_rows<int(size), Place>(others, origin); }
+  // Whether there are such integers: points may have been changed since they were triangulated.
+  bool is_finite() const
+  {
+    return core::is_finite_place(origin) &&
+           std::all_of(others, others + size, core::is_finite_place<Place>);
+  }
 
   Place origin, others[size];
 
@@ -243,7 +249,8 @@ Sphere sphere_with_value(const std::array<Corner, K>& corners, int exponent)
       find_in_fused_double_doubles<K, has_facets>(seen, exponent, sphere))
     return sphere;
 #endif
-  if (!find_in_double_doubles<core::Portable_products, K, has_facets>(seen, exponent, sphere)) {
+  if (!find_in_double_doubles<core::Portable_products, K, has_facets>(seen, exponent, sphere) &&
+      seen.is_finite()) {
     const auto in = seen.in_integers();
     const auto center = center_of<K>(in);
     find_value<K>(in, center, exponent, sphere.value);

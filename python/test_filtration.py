@@ -226,6 +226,14 @@ class Order(unittest.TestCase):
         self.assertEqual([rows.tolist() for rows in alpha.simplices], [rows.tolist() for rows in delaunay.simplices])
         self.assertEqual({value for values in delaunay.values for value in values}, {0})
 
+    def test_points_that_have_been_changed(self):
+        """The result is worth nothing, but there is one."""
+        points = random_points(300)
+        triangulation = dfs.delaunay3(points)
+        for value in (np.nan, np.inf, 1e300, 0):
+            points[::3] = value
+            self.assertEqual(len(dfs.filtration(triangulation).simplices[3]), triangulation.nsimplex)
+
     def test_refusals(self):
         with self.assertRaisesRegex(ValueError, "kind: expected one of alpha, delaunay, got 'rips'"):
             dfs.filtration(random_points(9), kind="rips")
