@@ -244,13 +244,14 @@ Sphere sphere_with_value(const std::array<Corner, K>& corners, int exponent)
 {
   const Seen_from_first<K, true, Corner> seen(corners);
   Sphere sphere;
+  const auto is_found = [&] {
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-  if (core::machine_has_vectors() &&
-      find_in_fused_double_doubles<K, has_facets>(seen, exponent, sphere))
-    return sphere;
+    if (core::machine_has_vectors())
+      return find_in_fused_double_doubles<K, has_facets>(seen, exponent, sphere);
 #endif
-  if (!find_in_double_doubles<core::Portable_products, K, has_facets>(seen, exponent, sphere) &&
-      seen.is_finite()) {
+    return find_in_double_doubles<core::Portable_products, K, has_facets>(seen, exponent, sphere);
+  };
+  if (!is_found() && seen.is_finite()) {
     const auto in = seen.in_integers();
     const auto center = center_of<K>(in);
     find_value<K>(in, center, exponent, sphere.value);
@@ -309,7 +310,7 @@ private:
   double vertex_value(const Corner& corner) const
   {
     if constexpr (has_weight<Corner>)
-      return std::ldexp(-core::weight_of(corner), -2 * exponent);
+      return std::ldexp(0. - core::weight_of(corner), -2 * exponent); // not -0.
     else
       return 0;
   }
@@ -406,33 +407,35 @@ private:
 };
 
 // Makes simplices, block by block: list(v, candidates) lists all whose first vertex is point v, and
-// add(first, last, simplices) adds those of them that are one.
+// add(first, last, simplices) adds those of them that are one. There are many blocks for each worker,
+// since most simplices belong to the points with small numbers.
 template <class Vertex, std::size_t K, class List, class Add>
 Simplices<Vertex, K> collect(std::size_t n, const List& list, const Add& add,
                              const core::Executor& executor)
 {
-  const std::size_t blocks = core::number_of_blocks(executor, n, 1024);
+  const std::size_t workers = core::number_of_blocks(executor, n, 1024),
+                    blocks = workers > 1 ? (std::min)(16 * workers, n / 1024) : 1;
   std::vector<Simplices<Vertex, K>> found(blocks);
-  core::for_each_block(
-      executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
-        std::vector<Candidate<Vertex, K>> candidates;
-        core::Steps step(executor);
-        for (std::size_t v = first; v < last; ++v) {
-          found[b].first.push_back(found[b].vertices.size());
-          candidates.clear();
-          list(v, candidates);
-          step(32 * candidates.size() + 1);
-          std::sort(candidates.begin(), candidates.end(),
-                    [](const auto& f, const auto& g) { return f.vertices < g.vertices; });
-          const auto* begin = candidates.data();
-          const auto* const all = begin + candidates.size();
-          for (const auto* end = begin; begin != all; begin = end) {
-            while (end != all && end->vertices == begin->vertices)
-              ++end;
-            add(begin, end, found[b]);
-          }
-        }
-      });
+  core::for_each_block(executor, n, blocks,
+                       [&](std::size_t first, std::size_t last, std::size_t b) {
+                         std::vector<Candidate<Vertex, K>> candidates;
+                         core::Steps step(executor);
+                         for (std::size_t v = first; v < last; ++v) {
+                           found[b].first.push_back(found[b].vertices.size());
+                           candidates.clear();
+                           list(v, candidates);
+                           step(32 * candidates.size() + 1);
+                           if constexpr (K > 1)
+                             std::sort(candidates.begin(), candidates.end());
+                           const auto* begin = candidates.data();
+                           const auto* const all = begin + candidates.size();
+                           for (const auto* end = begin; begin != all; begin = end) {
+                             while (end != all && end->vertices == begin->vertices)
+                               ++end;
+                             add(begin, end, found[b]);
+                           }
+                         }
+                       });
   Simplices<Vertex, K> all = std::move(found[0]);
   for (std::size_t b = 1; b < blocks; ++b) {
     for (std::size_t& first : found[b].first)
@@ -613,7 +616,8 @@ py::list arrays_of(Complex<Vertex>&& complex, std::size_t corners)
 }
 
 // Returns for each dimension what arrays_of() does. Values, times 4^exponent, are those of the alpha
-// complex; those of the given simplices may be given; if there shall be none all are 0.
+// complex, and those of the given simplices may be given; without any all are 0. Numbers of points are
+// read once, since they say how many simplices a point begins.
 py::list filtration(const Points& points, const py::object& weights, const Numbers& simplices,
                     const py::object& in_box, const py::object& values, bool has_values,
                     int exponent, std::size_t threads)
@@ -629,7 +633,10 @@ py::list filtration(const Points& points, const py::object& weights, const Numbe
     throw py::value_error("weights: expected one for each point");
   if (are_given && std::size_t(of_simplices.size()) != rows.size())
     throw py::value_error("values: expected one for each simplex");
-  const double* const weight = of_points.data();
+  const std::vector<Index> point_numbers = python::checked_copy(rows, n);
+  const auto number = [&](std::size_t c, std::size_t k) {
+    return point_numbers[rows.corners() * c + k];
+  };
   const auto made = [&](auto vertex, const auto& vertex_of, const auto& corner_of) {
     const Space<std::decay_t<decltype(corner_of)>> space = {corner_of, n, has_values, exponent};
     return arrays_of(complex_of<decltype(vertex)>(rows, vertex_of,
@@ -638,21 +645,19 @@ py::list filtration(const Points& points, const py::object& weights, const Numbe
                      rows.corners());
   };
   if (in_box.is_none()) {
-    const python::Point_of point_of = {python::Points_view(points)};
-    const auto vertex_of = [&](std::size_t c, std::size_t k) {
-      return Vertex{Index(rows.number(c, k, n))};
+    const auto vertex_of = [&](std::size_t c, std::size_t k) { return Vertex{number(c, k)}; };
+    const auto in_space = [&](const auto& corner_of) {
+      return made(Vertex(), vertex_of,
+                  [&](Vertex v) { return corner_of(0, 0, std::size_t(v.point)); });
     };
     if (!are_weighted)
-      return made(Vertex(), vertex_of, [&](Vertex v) { return point_of(std::size_t(v.point)); });
-    return made(Vertex(), vertex_of, [&](Vertex v) {
-      const std::array<double, 3> p = point_of(std::size_t(v.point));
-      return std::array<double, 4>{p[0], p[1], p[2], weight[v.point]};
-    });
+      return in_space(python::Corners_of_points<false>(points, nullptr));
+    return in_space(python::Corners_of_points<true>(points, of_points.data()));
   }
   const In_box box(in_box, rows);
   const auto vertex_of = [&](std::size_t c, std::size_t k) {
     const std::int16_t* const o = box.offsets() + 3 * (rows.corners() * c + k);
-    return Moved_vertex{Index(rows.number(c, k, n)), {o[0], o[1], o[2]}};
+    return Moved_vertex{number(c, k), {o[0], o[1], o[2]}};
   };
   const auto in_copies = [&](const auto& copies) {
     return made(Moved_vertex(), vertex_of, [&](const Moved_vertex& v) {
@@ -661,7 +666,7 @@ py::list filtration(const Points& points, const py::object& weights, const Numbe
   };
   if (!are_weighted)
     return in_copies(python::Corners_in_box<false>(points, nullptr, box));
-  return in_copies(python::Corners_in_box<true>(points, weight, box));
+  return in_copies(python::Corners_in_box<true>(points, of_points.data(), box));
 }
 
 // Represents doubles by integers with the same order.
@@ -702,7 +707,7 @@ sorted_places(const py::array_t<double, py::array::c_style | py::array::forcecas
   const auto n = std::size_t(numbers.size());
   if (n > (std::numeric_limits<std::uint32_t>::max)())
     throw std::length_error("there are more than 2^32 simplices");
-  std::vector<std::int64_t> places(n);
+  std::vector<std::int64_t> places;
   {
     const double* const number = numbers.data();
     const python::Unlocked unlocked;
@@ -720,8 +725,9 @@ sorted_places(const py::array_t<double, py::array::c_style | py::array::forcecas
       if (!std::is_sorted(begin, end, is_less))
         std::stable_sort(begin, end, is_less);
     }
-    for (std::size_t i = 0; i < n; ++i)
-      places[i] = std::int64_t(keys[i].place);
+    places.reserve(n); // now that the keys are there only once
+    for (const Half_key& key : keys)
+      places.push_back(std::int64_t(key.place));
   }
   return array_from(std::move(places), {py::ssize_t(n)});
 }

@@ -7,6 +7,7 @@
 import itertools
 import subprocess
 import sys
+import threading
 import unittest
 from fractions import Fraction
 from pathlib import Path
@@ -139,6 +140,24 @@ class Exactness(unittest.TestCase):
         self.agree(points * 1e-5, np.full(8, 1e10) + np.arange(8) * 1e-12)  # what differs is nothing beside the weights
         self.agree(np.ldexp(points, -400), np.ldexp(random_points(8)[:, 0], -800))
 
+    def test_alpha_complex_with_weights(self):
+        """It takes the same values, which are right near 0, too, and where coordinates differ much in size."""
+        for points, alpha in ((np.vstack([random_points(60, 0), 1e170 * (random_points(4) + 1)]), .2),
+                              (np.vstack([1e-100 * random_points(60), 1e300 * (random_points(4) + .1)]), 5e-101)):
+            plain = dfs.delaunay3(points).alpha_complex(alpha)
+            weighted = dfs.delaunay3(points, weights=np.zeros(len(points))).alpha_complex(alpha)
+            self.assertEqual([len(rows) for rows in plain], [len(rows) for rows in weighted][:3])
+            self.assertEqual(plain.triangles.tolist(), weighted.triangles.tolist())
+        for seed in (13, 43):
+            random = np.random.default_rng(seed)
+            points, weights = random.integers(0, 7, (30, 3)) / 10., random.integers(0, 12, 30) * .01
+            triangulation = dfs.delaunay3(points, weights=weights)
+            found = triangulation.alpha_complex(0)
+            mine = [triangulation.simplices[found.simplices], found.triangles, found.edges, found.vertices[:, None]]
+            exact = exact_values(triangulation.simplices, points, weights)
+            self.assertEqual({tuple(sorted(row)) for rows in mine for row in rows.tolist()},
+                             {simplex for simplex, value in exact.items() if value <= 0})
+
     def test_values_of_gudhi(self):
         """The same simplices, and squared radii that differ by two units of the last digit at most."""
         if gudhi is None:
@@ -196,6 +215,9 @@ class Order(unittest.TestCase):
                 self.assertEqual(rows.tolist(), sorted(rows.tolist()))
             self.assertEqual(sum((-1) ** d * len(rows) for d, rows in enumerate(filtration.simplices)), 1)
 
+    def test_vertices_enter_at_0(self):
+        self.assertEqual(str(dfs.filtration(random_points(9), weights=np.zeros(9)).values[0][0]), "0.0")
+
     def test_is_the_same_for_any_number_of_threads(self):
         points, weights = random_points(20000), random_points(20000)[:, 0] * 1e-4
         for arguments in ({}, {"weights": weights}, {"box": (1, 1, None)}, {"kind": "delaunay"}):
@@ -233,6 +255,25 @@ class Order(unittest.TestCase):
         for value in (np.nan, np.inf, 1e300, 0):
             points[::3] = value
             self.assertEqual(len(dfs.filtration(triangulation).simplices[3]), triangulation.nsimplex)
+
+    def test_simplices_that_change_during_a_call(self):
+        """Another thread writes into them: they are copied first, so they are refused, or there is a result."""
+        triangulation = dfs.delaunay3(random_points(20000))
+        simplices, rows = triangulation.simplices, triangulation.simplices.copy()
+        is_over = threading.Event()
+
+        def write():
+            while not is_over.is_set():
+                simplices[:] = 19999 - rows
+                simplices[:] = rows
+        writer = threading.Thread(target=write)
+        writer.start()
+        try:
+            for _ in range(5):
+                self.assertEqual(len(dfs.filtration(triangulation, threads=2).simplices[3]), len(rows))
+        finally:
+            is_over.set()
+            writer.join()
 
     def test_refusals(self):
         with self.assertRaisesRegex(ValueError, "kind: expected one of alpha, delaunay, got 'rips'"):

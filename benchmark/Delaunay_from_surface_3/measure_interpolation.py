@@ -14,15 +14,13 @@ is outside. The numbers of results that are NaN, and the largest error for a lin
 
 import argparse
 import json
-import platform
 import statistics
-import sys
 
 import numpy as np
 import scipy.interpolate
 
 import delaunay_from_surface as dfs
-from measure_python import bumpy_sphere, machine, run_apart
+from measure_python import begun, bumpy_sphere, run_apart, write
 
 
 def ways_of(points, values, xi):
@@ -80,17 +78,13 @@ def main():
     parser.add_argument("--queries", type=int, default=1000000)
     parser.add_argument("--repetitions", type=int, default=3)
     parser.add_argument("--limit", type=int, default=300)
-    parser.add_argument("--output", default="interpolation.json")
+    parser.add_argument("--output", default="python_interpolation.json")
     options = parser.parse_args()
-    report = {"command": " ".join(["measure_interpolation.py", *sys.argv[1:]]), "machine": machine(),
-              "python": platform.python_version(), "numpy": np.__version__, "scipy": scipy.__version__,
-              "repetitions": options.repetitions, "results": []}
+    report = {**begun(options), "results": []}
     for name, points, xi in sets(options.points, options.queries):
         report["results"].append(line(name, points, xi, options))
         print(json.dumps(report["results"][-1]))
-    with open(options.output, "w", encoding="utf-8") as file:
-        json.dump(report, file, indent=1)
-        file.write("\n")
+    write(report, options.output)
 
 
 if __name__ == "__main__":

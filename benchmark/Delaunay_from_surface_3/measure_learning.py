@@ -18,7 +18,6 @@ Times are by the clock on the wall, so other programs on the machine disturb the
 import argparse
 import json
 import os
-import platform
 import re
 import statistics
 import subprocess
@@ -27,11 +26,10 @@ import tempfile
 import time
 
 import numpy as np
-import scipy
 import scipy.spatial
 
 import delaunay_from_surface as dfs
-from measure_python import machine
+from measure_python import begun, write
 
 
 def wall(work):
@@ -112,19 +110,15 @@ def main():
     parser.add_argument("--set-size", type=int, default=1000)
     parser.add_argument("--repetitions", type=int, default=5)
     parser.add_argument("--tetgen", metavar="FILE")
-    parser.add_argument("--output", default="learning.json")
+    parser.add_argument("--output", default="python_learning.json")
     options = parser.parse_args()
     if not options.tetgen:
         print("skipped: TetGen, for which --tetgen names the peer")
     words = [os.path.basename(word) if word == options.tetgen else word for word in sys.argv[1:]]
-    report = {"command": " ".join(["measure_learning.py", *words]), "machine": machine(),
-              "python": platform.python_version(), "numpy": np.__version__, "scipy": scipy.__version__,
-              "repetitions": options.repetitions}
+    report = begun(options, words)
     report["results"] = [line_of_steps(n, length, options) for n in options.points for length in (.001, .01)]
     report["batches"] = [line_of_batches(options)]
-    with open(options.output, "w", encoding="utf-8") as file:
-        json.dump(report, file, indent=1)
-        file.write("\n")
+    write(report, options.output)
     for result in report["results"] + report["batches"]:
         print(json.dumps(result))
 

@@ -18,7 +18,6 @@ Each call is in a process of its own, whose peak of memory is given, too. Voro++
 
 import argparse
 import json
-import platform
 import resource
 import shutil
 import statistics
@@ -28,11 +27,10 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-import scipy
 import scipy.spatial
 
 import delaunay_from_surface as dfs
-from measure_python import machine, seconds
+from measure_python import begun, seconds, write
 
 VORO = r"""
 #include <cmath>
@@ -163,7 +161,7 @@ def main():
     parser.add_argument("--atoms", nargs="+", type=int, metavar="N", default=[100000])
     parser.add_argument("--repetitions", type=int, default=3)
     parser.add_argument("--hulls", type=int, default=2000)
-    parser.add_argument("--output", default="materials.json")
+    parser.add_argument("--output", default="python_materials.json")
     parser.add_argument("--alone", nargs=4, help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.alone is not None:
@@ -171,18 +169,14 @@ def main():
         result = by_this_module(kind, int(n)) if who == "ours" else by_scipy(kind, int(n), int(hulls))
         print(json.dumps(result))
         return
-    report = {"command": " ".join(["measure_materials.py", *sys.argv[1:]]), "machine": machine(),
-              "python": platform.python_version(), "numpy": np.__version__, "scipy": scipy.__version__,
-              "repetitions": options.repetitions, "results": []}
+    report = {**begun(options), "results": []}
     with tempfile.TemporaryDirectory() as folder:
         program = compiled(folder)
         for n in options.atoms:
             for kind in ("random", "shaken crystal", "crystal"):
                 report["results"].append(line(kind, n, options.repetitions, options.hulls, program))
                 print(json.dumps(report["results"][-1]))
-    with open(options.output, "w", encoding="utf-8") as file:
-        json.dump(report, file, indent=1)
-        file.write("\n")
+    write(report, options.output)
 
 
 if __name__ == "__main__":

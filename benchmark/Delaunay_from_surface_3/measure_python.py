@@ -45,6 +45,19 @@ def machine():
     return {"cpu": cpu(), "date": time.strftime("%Y-%m-%d"), "load_before": os.getloadavg()[0]}
 
 
+def begun(options, words=None):
+    """The report of a program before it has results: its command, and where and with what it runs."""
+    return {"command": " ".join([os.path.basename(sys.argv[0]), *(sys.argv[1:] if words is None else words)]),
+            "machine": machine(), "python": platform.python_version(), "numpy": np.__version__, "scipy": scipy.__version__,
+            "repetitions": options.repetitions}
+
+
+def write(report, file_name):
+    with open(file_name, "w", encoding="utf-8") as file:
+        json.dump(report, file, indent=1)
+        file.write("\n")
+
+
 def torus(n):
     """A wavy torus: points and triangles."""
     columns, rows = 2 * int(np.sqrt(n / 2)), int(np.sqrt(n / 2))
@@ -342,14 +355,10 @@ def main():
     parser.add_argument("--output", default="python.json")
     options = parser.parse_args()
     words = [os.path.basename(word) if word == options.wheel else word for word in sys.argv[1:]]
-    report = {"command": " ".join(["measure_python.py", *words]), "machine": machine(),
-              "python": platform.python_version(), "numpy": np.__version__, "scipy": scipy.__version__,
-              "repetitions": options.repetitions}
+    report = begun(options, words)
     (report_on_peers if options.peers else report_on_gaussians if options.gaussians else
      report_on_sizes if options.sizes else report_beside_scipy)(options, report)
-    with open(options.output, "w", encoding="utf-8") as file:
-        json.dump(report, file, indent=1)
-        file.write("\n")
+    write(report, options.output)
     for result in [result for key in ("results", "queries", "vtk", "faults", "rebuilds") for result in report.get(key, [])]:
         print(json.dumps(result))
 

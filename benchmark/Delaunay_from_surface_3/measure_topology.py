@@ -12,14 +12,12 @@ the clock on the wall; memory is the peak beyond what was there before.
 
 import argparse
 import json
-import platform
-import sys
 
 import gudhi
 import numpy as np
 
 import delaunay_from_surface as dfs
-from measure_python import in_turns, machine, torus
+from measure_python import begun, in_turns, torus, write
 
 
 def of_gudhi(points, precision, weights=None):
@@ -45,9 +43,7 @@ def main():
     parser.add_argument("--repetitions", type=int, default=3)
     parser.add_argument("--output", default="python_topology.json")
     options = parser.parse_args()
-    report = {"command": " ".join(["measure_topology.py", *sys.argv[1:]]), "machine": machine(),
-              "python": platform.python_version(), "numpy": np.__version__, "gudhi": gudhi.__version__,
-              "repetitions": options.repetitions, "results": []}
+    report = {**begun(options), "gudhi": gudhi.__version__, "results": []}
     for n in options.points:
         random = np.random.default_rng(2024)
         cube, weights = random.random((n, 3)), random.random(n) * n ** (-2 / 3) / 10
@@ -60,9 +56,7 @@ def main():
             report["results"].append({"points": len(points), "what": what, "simplices": numbers.pop(), "ways": {
                 name: {key: value for key, value in way.items() if key != "tetrahedra"} for name, way in ways.items()}})
             print(json.dumps(report["results"][-1]))
-    with open(options.output, "w", encoding="utf-8") as file:
-        json.dump(report, file, indent=1)
-        file.write("\n")
+    write(report, options.output)
 
 
 if __name__ == "__main__":

@@ -26,7 +26,8 @@ class Filtration(NamedTuple):
     """
 
     simplices: Tuple[Indices, ...]
-    """simplices[d]: (n_d, d + 1) int32: indices of points, ascending in each row; rows in lexicographical order."""
+    """simplices[d]: (n_d, d + 1) int32: indices of points, ascending in each row; rows in lexicographical order, in a box that
+    of `offsets`."""
 
     values: Tuple[Reals, ...]
     """values[d]: (n_d,) float64. In alpha complexes *squared* radii, as in GUDHI's; with weights they may be negative."""
@@ -37,8 +38,9 @@ class Filtration(NamedTuple):
     place: all faces come before what they bound."""
 
     offsets: Optional[Tuple[Indices, ...]]
-    """In a periodic box offsets[d]: (n_d, d + 1, 3) int32: by how many periods corners are moved; the first is not. Rows
-    ascend by points and offsets. None without a box."""
+    """In a periodic box offsets[d]: (n_d, d + 1, 3) int32: by how many periods corners are moved; the first is not. Corners of
+    a row, and rows, are ordered by point and offset, corner by corner; with few points a row may have a point twice. None
+    without a box."""
 
     def to_gudhi(self) -> Any:
         """Return a gudhi.SimplexTree, for persistent homology: that of GUDHI's own alpha complexes, but for their last digits.
@@ -87,7 +89,8 @@ def filtration(points: Any, *, weights: Any = None, box: Any = None, kind: str =
 
     Raises what `delaunay3` raises, and ValueError if there is no such kind, or there are more than 2**32 simplices.
 
-    Expected time: linear, apart from sorting the faces of each vertex. Edelsbrunner, Mücke, ACM Trans. Graph. 13, 1994.
+    Expected time: linear, apart from sorting the faces of each vertex. Memory: about 1,400 bytes per point at the peak, and 800 for
+    the result, where points have 6.8 tetrahedra each. Edelsbrunner, Mücke, ACM Trans. Graph. 13, 1994.
     """
     from . import delaunay3
     if kind not in KINDS:
@@ -100,6 +103,6 @@ def filtration(points: Any, *, weights: Any = None, box: Any = None, kind: str =
     else:
         triangulation = points
     faces = [] if triangulation.dimension < 0 else triangulation._faces(None, 0, number, kind == "alpha")
-    values = tuple(of_dimension for _, _, of_dimension, _ in faces)
-    return Filtration(tuple(rows for rows, _, _, _ in faces), values, _core.sorted_places(np.concatenate([*values, np.zeros(0)])),
-                      tuple(offsets for _, offsets, _, _ in faces) if isinstance(triangulation, Periodic3) else None)
+    simplices, offsets, values = (tuple(of_dimension[k] for of_dimension in faces) for k in range(3))
+    order = _core.sorted_places(np.concatenate([*values, np.zeros(0)]))
+    return Filtration(simplices, values, order, offsets if isinstance(triangulation, Periodic3) else None)

@@ -125,13 +125,8 @@ class Regular3(Delaunay3):
         simplices, ((vertices, _), (edges, _), (triangles, _)) = self._faces_up_to(alpha)
         return WeightedAlphaComplex(simplices, triangles, edges, vertices[:, 0])
 
-    def _squares_for(self, alpha: float) -> Tuple[int, Reals]:
-        """The exponent is such that squares of coordinates, and weights, neither overflow nor vanish."""
-        box, places = self._in_box, np.asarray(self.points, dtype=float)
-        exponent = int(np.frexp(max(np.max(np.abs(places)), np.sqrt(np.max(np.abs(self._weights)))))[1])
-        points, weights = np.ldexp(places, -exponent), np.ldexp(np.ldexp(self._weights, -exponent), -exponent)
-        in_box = None if box is None else (np.ldexp(box[0], -exponent), box[1])
-        return exponent, _core.power_spheres(points, weights, self.simplices, in_box, self._threads)[1]
+    def _squared_radii(self, exponent: int) -> None:
+        """Those of the alpha complex are not `squared_power_radii`, whose digits may have gone in a difference."""
 
     def _refuse(self, name: str, instead: str) -> NoReturn:
         raise ValueError(f"{name}: the points have weights: {instead}")

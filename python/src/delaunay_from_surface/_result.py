@@ -411,18 +411,17 @@ class Delaunay3(Cells):
         self._needs_space("alpha_complex")
         if not isinstance(alpha, numbers.Real) or not alpha >= 0:
             raise ValueError(f"alpha_complex: expected a radius, got {alpha!r}")
+        # In units of alpha: what is too small or too large for a square is much smaller or larger.
+        exponent = int(np.frexp(float(alpha))[1]) if 0 < alpha < np.inf else -1000 if alpha == 0 else 0
         with np.errstate(over="ignore", under="ignore"):
-            exponent, squares = self._squares_for(float(alpha))
-            most = np.ldexp(float(alpha), -exponent) ** 2
-        faces = self._faces(squares, exponent)[:3]
-        return np.flatnonzero(squares <= most).astype(np.int32), [
+            most = np.square(np.ldexp(float(alpha), -exponent))
+            *faces, (_, _, squares, simplices) = self._faces(self._squared_radii(exponent), exponent)
+        return np.sort(simplices[squares <= most]), [
             (rows[values <= most], rows if offsets is None else offsets[values <= most]) for rows, offsets, values, _ in faces]
 
-    def _squares_for(self, alpha: float) -> Tuple[int, Reals]:
-        """An exponent, and the squared radii of the tetrahedra's spheres over 4 to its power: they can be compared with the
-        square of `alpha`, as what is too small or too large for a square is much smaller or larger than that."""
-        exponent = int(np.frexp(alpha)[1]) if 0 < alpha < np.inf else -1000 if alpha == 0 else 0
-        return exponent, np.square(np.ldexp(self.circumradii, -exponent))
+    def _squared_radii(self, exponent: int) -> Optional[Reals]:
+        """Those of the tetrahedra, over 4 to the power, in the alpha complex: of `circumradii`, so that they agree."""
+        return np.square(np.ldexp(self.circumradii, -exponent))
 
     def _faces(self, values: Optional[Reals], exponent: int, threads: Optional[int] = None, has_values: bool = True) -> Any:
         """The simplices of each dimension with offsets, values over 4 to the power, and numbers of those of the largest."""

@@ -5,11 +5,12 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_MEASURES_OF_SIMPLICES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_MEASURES_OF_SIMPLICES_H
 
-// Measures tetrahedra: volumes, spheres through the corners and barycentric coordinates. All are quotients of polynomials in the differences of coordinates. With
-// exact predicates tetrahedra may be so flat that doubles give no correct digit of their volumes.
-// So each measure states which polynomials have to be known well. It is computed in doubles, which
-// are enough for most tetrahedra; if their error bounds are too large, in sums of two doubles; and
-// otherwise in integers.
+// Measures tetrahedra: volumes, spheres through the corners and barycentric coordinates. All are
+// quotients of polynomials in the differences of coordinates. With exact predicates tetrahedra may
+// be so flat that doubles give no correct digit of their volumes. So each measure states which
+// polynomials have to be known well. It is computed in doubles, which are enough for most
+// tetrahedra; if their error bounds are too large, in sums of two doubles; and otherwise in
+// integers.
 //
 // Corners are arrays (x, y, z) or, with a weight, (x, y, z, weight); or copies of points in a periodic
 // box, whose positions are never rounded.
