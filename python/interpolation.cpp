@@ -656,29 +656,6 @@ py::array interpolated(const Points& points, const Numbers& simplices, const Num
   return array_from(std::move(results), {py::ssize_t(number), py::ssize_t(rows.columns)});
 }
 
-// Returns the gradients of the barycentric coordinates of the first three corners.
-std::array<Point, 3> gradients_in(const Point (&corners)[4])
-{
-  std::array<Point, 3> gradients;
-  for (Point& gradient : gradients)
-    gradient.fill(core::no_measure);
-  core::measure_at_corner(corners, 3, [&](const auto& in) {
-    using Rows = std::decay_t<decltype(in)>;
-    const auto a = core::vector_of(in.rows[0]), b = core::vector_of(in.rows[1]),
-               c = core::vector_of(in.rows[2]);
-    const decltype(a) normals[3] = {core::cross(b, c), core::cross(c, a), core::cross(a, b)};
-    const auto six = core::dot(a, normals[0]);
-    if (!in.is_known(six, six) ||
-        !std::all_of(normals, normals + 3, [](const auto& n) { return core::is_known<Rows>(n); }))
-      return false;
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t i = 0; i < 3; ++i)
-        gradients[k][i] = core::quotient(in.rounded(normals[k][i]), in.rounded(six), -in.unit);
-    return true;
-  });
-  return gradients;
-}
-
 // Returns the gradients of linear functions with these values at the corners of simplices: an array of
 // shape (q, 3, k). Where the number of a simplex is negative they are NaN.
 py::array linear_gradients(const Points& points, const Numbers& simplices, const Reals& values,
@@ -711,7 +688,7 @@ py::array linear_gradients(const Points& points, const Numbers& simplices, const
               v[k] = vertices.number(std::size_t(c), k, n);
               corners[k] = point_of(std::size_t(v[k]));
             }
-            const std::array<Point, 3> of_weights = gradients_in(corners);
+            const std::array<Point, 3> of_weights = core::gradients_of(corners);
             double* to = result.data() + 3 * rows.columns * q;
             for (std::size_t i = 0; i < 3; ++i)
               for (std::size_t j = 0; j < rows.columns; ++j) {

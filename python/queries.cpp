@@ -257,6 +257,24 @@ py::tuple power_spheres(const Points& points, const py::object& weights, const N
                         array_from(std::move(squared_radii), {py::ssize_t(m)}));
 }
 
+// Returns whether gradients are so small that rounding x - corners[3] and the products with it cannot
+// cause an error of 1e-9 inside. Each product has five roundings: the gradient, the difference, the
+// product, and two sums.
+bool are_harmless(const std::array<std::array<double, 3>, 3>& gradients,
+                  const std::array<double, 3> (&corners)[4])
+{
+  constexpr double most = 1e-9 / (5 * 0x1p-53);
+  for (const std::array<double, 3>& g : gradients)
+    for (std::size_t k = 0; k < 3; ++k) {
+      double sum = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        sum += std::abs(g[i] * (corners[k][i] - corners[3][i]));
+      if (!(sum < most / 3)) // the fourth coordinate is 1 minus the sum of the three
+        return false;
+    }
+  return true;
+}
+
 py::array transform(const Points& points, const Numbers& simplices, std::size_t threads)
 {
   const auto m = std::size_t(simplices.shape(0));
@@ -269,7 +287,11 @@ py::array transform(const Points& points, const Numbers& simplices, std::size_t 
   measure_rows(rows, std::size_t(points.shape(0)), threads, corner_of,
                [&](std::size_t c, const auto& corners) {
                  double* to = result.data() + 12 * c;
-                 for (const std::array<double, 3>& gradient : core::gradients_of(corners))
+                 std::array<std::array<double, 3>, 3> gradients = core::gradients_of(corners);
+                 if (!are_harmless(gradients, corners))
+                   for (std::array<double, 3>& gradient : gradients)
+                     gradient.fill(core::no_measure);
+                 for (const std::array<double, 3>& gradient : gradients)
                    to = std::copy(gradient.begin(), gradient.end(), to);
                  std::copy(corners[3].begin(), corners[3].end(), to);
                });

@@ -84,8 +84,8 @@ def filtration(points: Any, *, weights: Any = None, box: Any = None, kind: str =
         How many threads work, as in `delaunay3`. The result is the same for any number.
 
     Which ball is empty is decided exactly, and values are right up to one unit of their last digit. They are squares: those of
-    lengths below 1e-162 are 0, and beyond 1e154 infinite. Points in a plane or on a line have simplices of fewer dimensions. Hidden points and those that equal
-    others are in none.
+    lengths below 1e-162 are 0, and beyond 1e154 infinite. Points in a plane or on a line have simplices of fewer dimensions.
+    Hidden points and those that equal others are in none.
 
     Raises what `delaunay3` raises, and ValueError if there is no such kind, or there are more than 2**32 simplices.
 

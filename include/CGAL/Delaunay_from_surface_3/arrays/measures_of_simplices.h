@@ -322,8 +322,7 @@ std::array<double, 4> barycentric_of(const Corner (&corners)[4], const Corner& p
   return weights;
 }
 
-// Returns the gradients of the first three barycentric coordinates, or NaNs if these change so fast
-// that rounding x - corners[3] and the products with it may cause an error of 1e-9 inside.
+// Returns the gradients of the first three barycentric coordinates.
 inline std::array<std::array<double, 3>, 3> gradients_of(const std::array<double, 3> (&corners)[4])
 {
   constexpr std::array<double, 3> none = {no_measure, no_measure, no_measure};
@@ -343,19 +342,6 @@ inline std::array<std::array<double, 3>, 3> gradients_of(const std::array<double
         gradients[k][i] = quotient(in.rounded(normals[k][i]), in.rounded(six), -in.unit);
     return true;
   });
-  // Each product has five roundings: the gradient, the difference, the product, and two sums.
-  constexpr double most = 1e-9 / (5 * 0x1p-53);
-  for (const std::array<double, 3>& g : gradients) {
-    double largest = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      double sum = 0;
-      for (std::size_t i = 0; i < 3; ++i)
-        sum += std::abs(g[i] * (corners[k][i] - corners[3][i]));
-      largest = (std::max)(largest, sum);
-    }
-    if (!(largest < most / 3)) // the fourth coordinate is 1 minus the sum of the three
-      return {none, none, none};
-  }
   return gradients;
 }
 
