@@ -141,7 +141,8 @@ bool contains_euclidean_minimum_spanning_tree(
       numbers_of_points(tr, numbered, read_points<Point>(descriptors, point_map));
   const std::vector<std::size_t> dense =
       dense_indices(descriptors, index_map, std::vector<std::size_t>().max_size());
-  const auto number = [&](auto v) { return numbers[dense[std::size_t(get(index_map, v))]]; };
+  const Dense_index_map<std::decay_t<decltype(index_map)>> dense_map(index_map, dense);
+  const auto number = [&](auto v) { return numbers[index_of_end(dense_map, v, numbers.size())]; };
 
   std::vector<Measured_edge> forest;
   for (const auto e : make_range(edges(mesh)))

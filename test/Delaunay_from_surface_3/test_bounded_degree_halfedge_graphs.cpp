@@ -15,6 +15,8 @@
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Minimum_spanning_forest.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 #include <CGAL/surface_of.h>
@@ -338,6 +340,37 @@ BOOST_AUTO_TEST_CASE(removed_vertices_are_refused_until_garbage_is_collected)
   check_refused(mesh, {"the vertex index map is no bijection", "4 is too large"});
   mesh.collect_garbage();
   BOOST_TEST(check_mesh(mesh) == "");
+}
+
+// Regression: such edges were written beside the list of degrees.
+BOOST_AUTO_TEST_CASE(edges_of_removed_vertices_are_refused)
+{
+  const auto tetrahedron = [] { return mesh_of(4, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}); };
+  for (int number : {1, 2, 3}) {
+    Surface_mesh mesh = tetrahedron();
+    for (int i = 4 - number; i < 4; ++i)
+      mesh.remove_vertex(Surface_mesh::Vertex_index(i));
+    check_refused(mesh, {"an edge leads to a vertex that was removed"});
+    const auto index = get(boost::vertex_index, mesh);
+    const std::vector<Kernel::Point_3> points(std::size_t(4 - number));
+    Edges<Surface_mesh> edges;
+    BOOST_CHECK_THROW(DFS::Spanning_forest()(mesh, index, std::back_inserter(edges)),
+                      CGAL::Surface_input_error);
+    const DFS::Minimum_spanning_forest shortest(points);
+    BOOST_CHECK_THROW(shortest(mesh, index, std::back_inserter(edges)), CGAL::Surface_input_error);
+  }
+
+  // Halfedges that were removed are met only by walking around a vertex.
+  Surface_mesh mesh = tetrahedron();
+  const auto end = mesh.add_vertex();
+  const Surface_mesh::Vertex_index v(2);
+  const auto h = mesh.halfedge(v), spoke = mesh.opposite(mesh.add_edge(v, end));
+  mesh.set_face(spoke, mesh.face(h));
+  mesh.set_next(spoke, mesh.next(mesh.opposite(mesh.next(h))));
+  mesh.set_next(h, mesh.opposite(spoke));
+  mesh.remove_edge(mesh.edge(spoke));
+  mesh.remove_vertex(end);
+  check_refused(mesh, {"vertex 2 has a halfedge that was removed"});
 }
 
 // Regression: a disc whose three boundary edges are doubled by chords. All its counts are 4, so

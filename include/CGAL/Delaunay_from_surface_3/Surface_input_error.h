@@ -5,6 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_INPUT_ERROR_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_INPUT_ERROR_H
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
@@ -37,6 +38,19 @@ struct Too_many_cells : std::length_error
   }
 };
 
+namespace internal {
+
+// Returns the index of an end of an edge, which a broken mesh leads to a vertex that is none of its n.
+template <class VertexIndexMap, class Vertex>
+std::size_t index_of_end(const VertexIndexMap& index_map, const Vertex& v, std::size_t n)
+{
+  const auto index = static_cast<std::size_t>(get(index_map, v));
+  if (index >= n)
+    throw Surface_input_error("an edge leads to a vertex that was removed");
+  return index;
+}
+
+} // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

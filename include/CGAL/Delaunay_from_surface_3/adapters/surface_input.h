@@ -253,8 +253,10 @@ std::vector<Point> read_points(const Range& items, const PointMap& point_map)
   return points;
 }
 
+constexpr std::size_t no_index = std::size_t(-1);
+
 // Maps the vertices of a graph to the numbers 0, …, n - 1. The user's index map must tell them
-// apart, but need not be dense, as it is not for a mesh with removed vertices.
+// apart, but need not be dense, as it is not for a mesh with removed vertices. These have no number.
 template <class VertexIndexMap>
 class Dense_index_map
 {
@@ -272,15 +274,14 @@ public:
 
   friend std::size_t get(const Dense_index_map& map, const key_type& v)
   {
-    return (*map.m_dense)[std::size_t(get(map.m_sparse, v))];
+    const auto index = std::size_t(get(map.m_sparse, v));
+    return index < map.m_dense->size() ? (*map.m_dense)[index] : no_index;
   }
 
 private:
   VertexIndexMap m_sparse;
   const std::vector<std::size_t>* m_dense;
 };
-
-constexpr std::size_t no_index = std::size_t(-1);
 
 // Returns the position of v in `vertices` by the index of v, which must be less than `bound`.
 template <class VertexRange, class VertexIndexMap>

@@ -41,8 +41,8 @@ Index_graph index_graph(const SurfaceSubgraph& subgraph, const Graph& graph,
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   edges.reserve(6 * numbers.size()); // a triangulated surface has three edges per vertex
   const auto keep = [&](const typename boost::graph_traits<Graph>::edge_descriptor& e) {
-    const std::size_t s = numbers[std::size_t(get(index_map, source(e, graph)))];
-    const std::size_t t = numbers[std::size_t(get(index_map, target(e, graph)))];
+    const std::size_t s = numbers[index_of_end(index_map, source(e, graph), numbers.size())];
+    const std::size_t t = numbers[index_of_end(index_map, target(e, graph), numbers.size())];
     edges.emplace_back(s, t);
     edges.emplace_back(t, s);
   };

@@ -106,7 +106,7 @@ private:
     refuse_bad_indices(range, m_index, n);
     std::size_t inner_halfedges = 0;
     for (Halfedge h : halfedges(m_graph)) {
-      ++surface.first[get(m_index, target(h, m_graph)) + 1];
+      ++surface.first[index_of_end(m_index, target(h, m_graph), n) + 1];
       inner_halfedges += is_border(h, m_graph) ? 0 : 1;
     }
     const auto all_faces = faces(m_graph);

@@ -9,11 +9,11 @@
 // algorithm". If F contains the Euclidean minimum spanning tree of S, then this tree is the minimum
 // spanning tree of F.
 
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/assertions.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -126,10 +126,9 @@ public:
     std::vector<typename boost::graph_traits<Graph>::edge_descriptor> all;
     std::vector<core::Measured_edge> forest;
     for (auto [e, end] = edges(graph); e != end; ++e) {
-      forest.push_back(core::measured_edge(std::size_t(get(index_map, source(*e, graph))),
-                                           std::size_t(get(index_map, target(*e, graph))),
-                                           all.size()));
-      CGAL_precondition(forest.back().ends[1] < points.size());
+      const std::size_t s = internal::index_of_end(index_map, source(*e, graph), points.size());
+      const std::size_t t = internal::index_of_end(index_map, target(*e, graph), points.size());
+      forest.push_back(core::measured_edge(s, t, all.size()));
       all.push_back(*e);
     }
     using Kernel = typename Kernel_traits<Point>::Kernel;

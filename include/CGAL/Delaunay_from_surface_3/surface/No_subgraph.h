@@ -9,6 +9,7 @@
 // already have bounded degree", such as isosurfaces. The degree of Spanning_forest has no bound, as
 // Choi 2002, §3 asks for; so the trace is correct, but its cost is not proved.
 
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -100,10 +101,11 @@ public:
   EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
                                 EdgeOutputIterator out) const
   {
-    internal::Disjoint_sets<std::size_t> trees(number_of_vertices(graph));
+    const std::size_t n = number_of_vertices(graph);
+    internal::Disjoint_sets<std::size_t> trees(n);
     for (auto [e, end] = edges(graph); e != end; ++e)
-      if (trees.unite(std::size_t(get(index_map, source(*e, graph))),
-                      std::size_t(get(index_map, target(*e, graph)))))
+      if (trees.unite(internal::index_of_end(index_map, source(*e, graph), n),
+                      internal::index_of_end(index_map, target(*e, graph), n)))
         *out++ = *e;
     return out;
   }

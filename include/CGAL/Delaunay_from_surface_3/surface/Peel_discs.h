@@ -115,8 +115,8 @@ private:
     for (Index i = 0; i < star.size(); ++i) {
       const Index u = star[i];
       if (!is_on_cycle(u)) {
-        if (m_state[u] == inside) // u is no copy, and its star will be read soon
-          prefetch(&m_discs.surface.first[u]);
+        if (m_state[u] == inside) // its star will be read soon; a copy on the rim has none
+          prefetch(m_discs.surface.first.data() + u);
         continue;
       }
       ++m_state[u];
