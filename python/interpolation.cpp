@@ -28,6 +28,7 @@
 //   t = |i j k| / (|1 i j k| |i j|), in the columns x, y, w, and 1, x, y, and x, y.
 // If q is on an edge of the hull, this edge alone counts, and weights are linear on it.
 
+#include "Corners.h"
 #include "Unlocked.h"
 #include "functions.h"
 #include "interruptible.h"
@@ -89,15 +90,55 @@ struct Values
 {
   const double* data;
   std::size_t columns;
+  bool are_finite;
+
+  explicit Values(const Reals& values)
+    : data(values.data())
+    , columns(std::size_t(values.shape(1)))
+    , are_finite(std::all_of(data, data + values.size(), [](double x) { return std::isfinite(x); }))
+  {
+  }
 
   const double* row(Index v) const { return data + columns * std::size_t(v); }
 
-  // Adds the row of v. A value that is not finite counts only where it has a weight.
-  void add(double weight, Index v, double* to) const
+  // Adds the row of v. A value that is not finite counts only where its weight is more than `least`.
+  void add(double weight, Index v, double* to, double least = 0) const
   {
     for (std::size_t j = 0; weight != 0 && j < columns; ++j)
-      to[j] += weight * row(v)[j];
+      if (const double x = row(v)[j]; std::isfinite(x) || weight > least)
+        to[j] += weight * x;
   }
+};
+
+// A set of numbers, in the order in which they came. It is mostly small.
+class Met
+{
+public:
+  void clear()
+  {
+    items.clear();
+    if (!m_many.empty()) // else clearing would take as long as the largest set has taken
+      std::unordered_set<Index>().swap(m_many);
+  }
+  bool has(Index i) const
+  {
+    return items.size() < many ? std::find(items.begin(), items.end(), i) != items.end()
+                               : m_many.count(i) > 0;
+  }
+  void add(Index i)
+  {
+    items.push_back(i);
+    if (items.size() == many)
+      m_many.insert(items.begin(), items.end());
+    else if (items.size() > many)
+      m_many.insert(i);
+  }
+
+  std::vector<Index> items;
+
+private:
+  static constexpr std::size_t many = 64;
+  std::unordered_set<Index> m_many;
 };
 
 // Finds the vertex nearest to a point, for one thread, from the last one found: no vertex is nearer
@@ -106,6 +147,7 @@ class Nearest_vertex
 {
 public:
   // Keeps pointers to both arrays: the neighbours of v are items[first[v]], …, items[first[v + 1] - 1].
+  // Looking at one is a step.
   Nearest_vertex(Point_of point_of, const Places& first, const Numbers& items, Index any)
     : m_point_of(point_of)
     , m_first(first.data())
@@ -117,38 +159,40 @@ public:
   }
 
   // Returns the one with the smallest number of several.
-  Index operator()(const Point& q)
+  Index operator()(const Point& q, core::Steps& step)
   {
     for (bool is_nearest = false; !is_nearest;) {
       const Index v = m_last;
-      m_equal = {v};
-      for_neighbors(v, [&](Index u) {
+      for_neighbors(v, step, [&](Index u) {
         const int sign = compare(q, u, m_last);
         m_last = sign < 0 ? u : m_last;
       });
       is_nearest = m_last == v;
     }
     // Those at the same distance are on an empty sphere, and joined by edges.
-    for (std::size_t i = 0; i < m_equal.size(); ++i)
-      for_neighbors(m_equal[i], [&](Index u) {
-        if (compare(q, u, m_last) == 0 &&
-            std::find(m_equal.begin(), m_equal.end(), u) == m_equal.end())
-          m_equal.push_back(u);
+    m_equal.clear();
+    m_equal.add(m_last);
+    for (std::size_t i = 0; i < m_equal.items.size(); ++i)
+      for_neighbors(m_equal.items[i], step, [&](Index u) {
+        if (!m_equal.has(u) && compare(q, u, m_last) == 0)
+          m_equal.add(u);
       });
-    return *std::min_element(m_equal.begin(), m_equal.end());
+    return *std::min_element(m_equal.items.begin(), m_equal.items.end());
   }
 
 private:
   template <class Visit>
-  void for_neighbors(Index v, const Visit& visit) const
+  void for_neighbors(Index v, core::Steps& step, const Visit& visit) const
   {
     const std::int64_t first = m_first[v], last = m_first[v + 1];
     if (first < 0 || last > m_number_of_items)
       refuse_triangulation();
     for (std::int64_t i = first; i < last; ++i) {
-      if (m_items[i] < 0 || m_items[i] >= m_number)
+      const Index u = m_items[i];
+      if (u < 0 || u >= m_number)
         refuse_triangulation();
-      visit(m_items[i]);
+      visit(u);
+      step();
     }
   }
 
@@ -173,7 +217,7 @@ private:
   const Index* const m_items;
   const std::int64_t m_number, m_number_of_items;
   Index m_last;
-  std::vector<Index> m_equal;
+  Met m_equal;
 };
 
 // Returns a bound on the error of a number.
@@ -245,15 +289,16 @@ public:
   {
   }
 
-  // Adds the values of the neighbours of q, which lies in simplex c.
-  void operator()(const Point& q, Index c, const Values& values, double* to)
+  // Adds the values of the neighbours of q, which lies in simplex c. Those that are not finite count
+  // where weights are greater than their errors.
+  void operator()(const Point& q, Index c, const Values& values, double* to, core::Steps& step)
   {
     for (std::size_t k = 0; k < 4; ++k) {
       const auto v = m_simplices.vertex(std::size_t(c), k);
       if (m_point_of(v) == q)
         return values.add(1, Index(v), to);
     }
-    dig(q, c);
+    dig(q, c, step);
     if (!m_hull.empty())
       weigh_in_plane(q);
     else
@@ -262,7 +307,7 @@ public:
     for (const double weight : m_weights)
       sum += weight;
     for (std::size_t i = 0; i < m_vertices.size(); ++i)
-      values.add(m_weights[i] / sum, m_vertices[i], to);
+      values.add(m_weights[i] / sum, m_vertices[i], to, 1e-12);
   }
 
 private:
@@ -275,38 +320,28 @@ private:
   };
 
   // Finds the facets of the conflict zone, with corners numbered, and its vertices.
-  void dig(const Point& q, Index c)
+  void dig(const Point& q, Index c, core::Steps& step)
   {
-    m_zone = {c};
-    m_many.clear();
+    m_zone.clear();
+    m_zone.add(c);
     m_facets.clear();
     m_hull.clear();
-    for (std::size_t i = 0; i < m_zone.size(); ++i)
+    for (std::size_t i = 0; i < m_zone.items.size(); ++i, step(16))
       for (unsigned k = 0; k < 4; ++k) {
-        const Index d = m_simplices.neighbor(std::size_t(m_zone[i]), k);
-        if (d >= 0 && (is_met(d) || (is_in_conflict(d, q) && meet(d))))
+        const auto inside = std::size_t(m_zone.items[i]);
+        const Index d = m_simplices.neighbor(inside, k);
+        if (d >= 0 && m_zone.has(d))
           continue;
+        if (d >= 0 && is_in_conflict(d, q)) {
+          m_zone.add(d);
+          continue;
+        }
         Facet facet;
         for (std::size_t j = 0; j < 3; ++j)
-          facet[j] = m_simplices.vertex(std::size_t(m_zone[i]), core::facet_corners[k][j]);
+          facet[j] = m_simplices.vertex(inside, core::facet_corners[k][j]);
         (d < 0 && side(facet, q) == 0 ? m_hull : m_facets).push_back(facet);
       }
     number_vertices();
-  }
-
-  bool is_met(Index d) const
-  {
-    return m_zone.size() < many ? std::find(m_zone.begin(), m_zone.end(), d) != m_zone.end()
-                                : m_many.count(d) > 0;
-  }
-  bool meet(Index d)
-  {
-    m_zone.push_back(d);
-    if (m_zone.size() == many)
-      m_many.insert(m_zone.begin(), m_zone.end());
-    else if (m_zone.size() > many)
-      m_many.insert(d);
-    return true;
   }
 
   // Returns whether q is in the sphere of simplex d, by ties as in the triangulation.
@@ -463,14 +498,23 @@ private:
     return axis;
   }
 
+  // Weighs by distances along one axis: that in which the ends, scaled unless all are small, differ most.
   void weigh_on_edge(const Point& q, std::size_t i, std::size_t j)
   {
-    const auto distance = [&](std::size_t v) {
-      const Point& p = m_places[v];
-      return std::hypot(std::hypot(p[0] / 4 - q[0] / 4, p[1] / 4 - q[1] / 4), p[2] / 4 - q[2] / 4);
-    };
-    m_weights[i] = distance(j);
-    m_weights[j] = distance(i);
+    const Point &a = m_places[i], &b = m_places[j];
+    double largest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      largest = (std::max)({largest, std::abs(a[axis]), std::abs(b[axis])});
+    const double scale = largest > 0x1p1000 ? .25 : 1;
+    double most = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double from = scale * a[axis], at = scale * q[axis], to = scale * b[axis];
+      if (std::abs(to - from) <= most)
+        continue;
+      most = std::abs(to - from);
+      m_weights[i] = std::abs(to - at);
+      m_weights[j] = std::abs(at - from);
+    }
   }
 
   // Calls set(share, rows) with the rows of one stage: in doubles, in sums of two, or in integers.
@@ -523,13 +567,10 @@ private:
 
   const double* place(std::size_t v) const { return m_places[v].data(); }
 
-  static constexpr std::size_t many = 64;
-
   const View m_simplices;
   const Point_of m_point_of;
   const bool m_has_filter = core::obstacle_of_compiler() == nullptr;
-  std::vector<Index> m_zone;
-  std::unordered_set<Index> m_many;
+  Met m_zone;
   std::vector<Facet> m_facets, m_hull; // m_hull are those on the hull in a plane with q
   std::vector<Index> m_vertices;
   std::vector<Point> m_places;
@@ -548,12 +589,12 @@ public:
   {
   }
 
-  void operator()(const Point& q, Index c, const Values& values, double* to) const
+  void operator()(const Point& q, Index c, const Values& values, double* to, core::Steps&) const
   {
     Point corners[4];
     for (std::size_t k = 0; k < 4; ++k)
       corners[k] = m_point_of(m_simplices.vertex(std::size_t(c), k));
-    const std::array<double, 4> weights = core::barycentric_of(corners, q);
+    const std::array<double, 4> weights = core::barycentric_of(corners, q, !values.are_finite);
     for (std::size_t k = 0; k < 4; ++k)
       values.add(weights[k], Index(m_simplices.vertex(std::size_t(c), k)), to);
   }
@@ -585,11 +626,11 @@ void interpolate_block(const View& view, Point_of point_of, const core::Point_ar
     double* const to = results + values.columns * i;
     const Index c = find(q);
     if (c >= 0 || nearest != nullptr)
-      std::fill(to, to + values.columns, 0.);
+      std::fill(to, to + values.columns, -0.); // to which 0 and -0 may be added
     if (c >= 0)
-      method(q, c, values, to);
+      method(q, c, values, to, step);
     else if (nearest != nullptr)
-      values.add(1, (*nearest)(q), to);
+      values.add(1, (*nearest)(q, step), to);
     else
       std::copy(fill, fill + values.columns, to);
   }
@@ -626,7 +667,7 @@ py::array interpolated(const Points& points, const Numbers& simplices, const Num
                      vertices.size(),
                      n};
   const Point_of point_of = {python::Points_view(points)};
-  const Values rows = {values.data(), std::size_t(values.shape(1))};
+  const Values rows(values);
   const core::Rounding_to_nearest rounding;
   const python::Interruptible_executor executor(threads);
   const auto number = std::size_t(queries.shape(0));
@@ -658,15 +699,11 @@ py::array interpolated(const Points& points, const Numbers& simplices, const Num
 
 // Returns the gradients of linear functions with these values at the corners of simplices: an array of
 // shape (q, 3, k). Where the number of a simplex is negative they are NaN.
-py::array linear_gradients(const Points& points, const Numbers& simplices, const Reals& values,
-                           const Numbers& simplices_of_queries, std::size_t threads)
+template <class CornerOf>
+py::array gradients_at(const CornerOf& corner_of, const Rows& vertices, std::size_t n,
+                       const Values& rows, const Numbers& simplices_of_queries, std::size_t threads)
 {
-  const Rows vertices(simplices);
-  const auto n = std::size_t(points.shape(0)), number = std::size_t(simplices_of_queries.shape(0));
-  if (vertices.corners() != 4 || values.ndim() != 2 || std::size_t(values.shape(0)) != n)
-    throw py::value_error("interpolation: expected values at the corners of tetrahedra");
-  const Point_of point_of = {python::Points_view(points)};
-  const Values rows = {values.data(), std::size_t(values.shape(1))};
+  const auto number = std::size_t(simplices_of_queries.shape(0));
   const auto simplex_of = simplices_of_queries.unchecked<1>();
   std::vector<double> result(3 * rows.columns * number, core::no_measure);
   {
@@ -683,10 +720,10 @@ py::array linear_gradients(const Points& points, const Numbers& simplices, const
             if (std::size_t(c) >= vertices.size())
               throw std::out_of_range("interpolation: there is no simplex " + std::to_string(c));
             Index v[4];
-            Point corners[4];
+            decltype(corner_of(0, 0, 0)) corners[4];
             for (std::size_t k = 0; k < 4; ++k) {
               v[k] = vertices.number(std::size_t(c), k, n);
-              corners[k] = point_of(std::size_t(v[k]));
+              corners[k] = corner_of(std::size_t(c), k, std::size_t(v[k]));
             }
             const std::array<Point, 3> of_weights = core::gradients_of(corners);
             double* to = result.data() + 3 * rows.columns * q;
@@ -694,13 +731,33 @@ py::array linear_gradients(const Points& points, const Numbers& simplices, const
               for (std::size_t j = 0; j < rows.columns; ++j) {
                 double sum = 0;
                 for (std::size_t k = 0; k < 3; ++k)
-                  sum += (rows.row(v[k])[j] - rows.row(v[3])[j]) * of_weights[k][i];
+                  if (const double d = rows.row(v[k])[j] - rows.row(v[3])[j]; d != 0)
+                    sum += d * of_weights[k][i]; // which may be infinite
                 *to++ = sum;
               }
           }
         });
   }
   return array_from(std::move(result), {py::ssize_t(number), 3, py::ssize_t(rows.columns)});
+}
+
+// Does so without a box, or in one: a gradient is the same in all copies of a simplex.
+py::array linear_gradients(const Points& points, const Numbers& simplices, const py::object& in_box,
+                           const Reals& values, const Numbers& simplices_of_queries,
+                           std::size_t threads)
+{
+  const Rows vertices(simplices);
+  const auto n = std::size_t(points.shape(0));
+  if (vertices.corners() != 4 || values.ndim() != 2 || std::size_t(values.shape(0)) != n)
+    throw py::value_error("interpolation: expected values at the corners of tetrahedra");
+  const Values rows(values);
+  const auto at_corners = [&](const auto& corner_of) {
+    return gradients_at(corner_of, vertices, n, rows, simplices_of_queries, threads);
+  };
+  if (in_box.is_none())
+    return at_corners(python::Corners_of_points<false>(points, nullptr));
+  const python::In_box box(in_box, vertices);
+  return at_corners(python::Corners_in_box<false>(points, nullptr, box));
 }
 
 } // namespace

@@ -341,7 +341,7 @@ py::array barycentric_in_box(const Points& points, const Numbers& simplices,
                              const py::object& in_box, const Points& queries,
                              const py::array_t<std::int64_t>& simplices_of_queries,
                              const py::array_t<std::int64_t>& offsets_of_queries,
-                             std::size_t threads)
+                             std::size_t threads, bool are_zeros_decided)
 {
   const auto number = std::size_t(queries.shape(0));
   const Rows rows(simplices);
@@ -381,8 +381,8 @@ py::array barycentric_in_box(const Points& points, const Numbers& simplices,
             core::Copy_place<false> corners[4];
             for (std::size_t k = 0; k < 4; ++k)
               corners[k] = simplices_of.view.corner(copy, k);
-            const std::array<double, 4> weights =
-                core::barycentric_of(corners, simplices_of.points.place(wrapped.data()));
+            const std::array<double, 4> weights = core::barycentric_of(
+                corners, simplices_of.points.place(wrapped.data()), are_zeros_decided);
             std::copy(weights.begin(), weights.end(), result.begin() + std::ptrdiff_t(4 * q));
           }
         });
@@ -487,6 +487,7 @@ void python::define_queries(py::module_& m)
   });
   m.def("array_of_weights", &python::array_of_weights);
   m.def("read_alike", [](const py::object& object, const std::string& name) -> py::object {
+    python::refuse_mask(name, object);
     const bool is_read = python::is_array_alike(object) && !py::isinstance<py::array>(object);
     return is_read ? py::object(python::array_from_any(name, object, "numbers")) : object;
   });

@@ -11,6 +11,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from fractions import Fraction
 from pathlib import Path
@@ -151,6 +152,57 @@ class Interpolators(unittest.TestCase):
                 found = kind(points, np.ones(27), -7, outside=outside)(queries)
                 np.testing.assert_array_equal(found, [np.nan] * 3 + [1])
 
+    def test_values_without_weight(self):
+        """On a facet the fourth corner has none, and in a lattice those in a plane with no Voronoi edge."""
+        points = 3 * np.floor(random_points(60) * 2**20)  # a third of a sum is a double
+        made = dfs.delaunay3(points)
+        for k in range(4):
+            corners = np.delete(made.simplices, k, axis=1)
+            values = np.full((len(points), len(corners)), np.nan)
+            values[corners.T, np.arange(len(corners))] = 1
+            found = dfs.LinearInterpolator(made, values)(points[corners].sum(axis=1) / 3)
+            np.testing.assert_array_equal(np.isnan(np.diag(found)), False)
+            np.testing.assert_allclose(np.diag(found), 1, atol=1e-12)
+        lattice = .1 * crystal([[0, 0, 0]])
+        for centre in itertools.product((1, 2), repeat=3):
+            x = .1 * np.array(centre)
+            values = np.where(np.abs(lattice - x).max(axis=1) < .05, 1, np.nan)
+            for kind in BOTH:
+                np.testing.assert_array_equal(kind(lattice, values)([x]), [1])
+        unit = 2**40 + 12345  # a query on the sphere of a cell, with more digits than products have
+        lattice, x = 10. * unit * crystal([[0, 0, 0]]), unit * np.array([12., 10, 6])
+        weights = exact_weights(lattice, x)
+        is_on_sphere = (np.abs(lattice - 5 * unit).max(axis=1) == 5 * unit) & (weights == 0)
+        self.assertGreater(is_on_sphere.sum(), 0)
+        np.testing.assert_allclose(dfs.NaturalNeighborInterpolator(lattice, np.where(is_on_sphere, np.nan, 1))([x]), 1)
+        box = dfs.delaunay3(crystal([[0, 0, 0]]), box=(4, 4, 4))
+        found = dfs.LinearInterpolator(box, np.where(box.points[:, 0] == 3, 1, np.inf))([[-1, .5, .25], [3, 9.25, .75], [3.5, 0, 0]])
+        np.testing.assert_array_equal(found, [1, 1, np.inf])
+
+    def test_signs_of_zeros(self):
+        for points in (random_points(50), dfs.delaunay3(random_points(50), box=(1, 1, 1))):
+            for kind in BOTH[:1 if isinstance(points, dfs.Periodic3) else 2]:
+                found = kind(points, np.full(50, -0.))(random_points(50))
+                self.assertTrue(np.signbit(found).all() and (found == 0).all())
+
+    def test_tensors(self):
+        """What NumPy does not read itself."""
+        class Dlpack:
+            def __init__(self, array):
+                self._array = array
+
+            def __dlpack__(self, **arguments):
+                return self._array.__dlpack__(**arguments)
+
+            def __dlpack_device__(self):
+                return self._array.__dlpack_device__()
+
+        points, xi = random_points(50), random_points(50, 2)
+        for kind in BOTH:
+            made = kind(Dlpack(points), Dlpack(linear(points)))
+            np.testing.assert_array_equal(made(Dlpack(xi)), made(xi))
+            np.testing.assert_array_equal(made(*map(Dlpack, np.ascontiguousarray(xi.T))), made(xi))
+
     def test_equal_points(self):
         points = np.vstack([random_points(50), random_points(50)])
         made = dfs.delaunay3(points)
@@ -217,7 +269,11 @@ class Interpolators(unittest.TestCase):
                     (TypeError, "values: .*type <U1", points, ["a"] * 20),
                     (ValueError, "points: .*got", points[:, :2], np.ones(20)),
                     (ValueError, "values: a masked array", points, np.ma.masked_array(np.ones(20), np.arange(20) == 3)),
-                    (TypeError, "fill_value: expected a real number", points, np.ones(20), 1j)):
+                    (ValueError, "values: a masked array", points, [np.ma.masked] * 20),
+                    (TypeError, "fill_value: expected a real number", points, np.ones(20), 1j),
+                    (TypeError, "fill_value: expected a real number, .* got '3'", points, np.ones(20), "3"),
+                    (TypeError, "fill_value: expected a number, .* got None", points, np.ones(20) * 1j, None),
+                    (ValueError, "fill_value: 1000.* too large", points, np.ones(20), 10**400)):
                 with self.assertRaisesRegex(error, message):
                     kind(*arguments)
             with self.assertRaisesRegex(ValueError, "outside: expected .* got 'linear'"):
@@ -229,6 +285,7 @@ class Interpolators(unittest.TestCase):
                     (ValueError, r"xi: .*got \(2,\)", [.5, .5]), (ValueError, r"xi: .*got \(4, 2\)", np.ones((4, 2))),
                     (TypeError, "xi: .*got 2 arguments", 1, 2), (TypeError, "xi: .*complex128", 1, 2, 1j),
                     (ValueError, "xi: a masked array", np.ma.masked_array(points, points < .5)),
+                    (ValueError, "xi: a masked array", [np.ma.masked_array([1, 1, 1.], [1, 0, 0])]),
                     (ValueError, "broadcast", [1, 2], [1, 2, 3], 1)):
                 with self.assertRaisesRegex(error, message):
                     made(*arguments)
@@ -277,6 +334,8 @@ class Linear(unittest.TestCase):
         self.assertEqual(made.gradients(np.zeros((0, 3))).shape, (0, 2, 3))
         xi[0, 1] = np.nan
         self.assertTrue(np.isnan(made.gradients(xi)[0]).all())
+        tiny = dfs.LinearInterpolator(2.**-1040 * crystal([[0, 0, 0]]), np.ones(64))
+        np.testing.assert_array_equal(tiny.gradients(2.**-1040, 2.**-1040, 2.**-1040), [0, 0, 0])
 
     def test_boxes(self):
         points = 10 * random_points(300) - 3
@@ -289,8 +348,21 @@ class Linear(unittest.TestCase):
         np.testing.assert_allclose(made(xi), expected(xi % 2), atol=1e-9)
         np.testing.assert_allclose(made.gradients(xi), expected.gradients(xi % 2), rtol=1e-6, atol=1e-6)
         np.testing.assert_allclose(made(points), values, atol=1e-12)
+        np.testing.assert_array_equal(made.gradients(xi % 2), made.gradients(xi % 2 + 2. ** 28))
+        with self.assertRaisesRegex(ValueError, "xi: point 2 is .*periods"):
+            made([[.5, np.nan, .5], [.5, .5, .5], [1e10, .5, .5]])
         xi[5] = np.inf
         self.assertTrue(np.isnan(made(xi)[5]).all() and np.isfinite(np.delete(made(xi), 5, 0)).all())
+        turned = .1 * crystal([[0, 0, 0]], 6) @ np.array([[2, -1, 2], [2, 2, -1], [-1, 2, 2]]) / 3 + 100.123
+        of, heights = dfs.delaunay3(turned, box=(.6, .6, .6)), random_points(216)[:, 0]
+        found, corners = dfs.LinearInterpolator(of, heights).gradients(turned), of.simplices[of.find_simplex(turned)]
+        for gradient, v, offsets in zip(found, corners, of.offsets[of.find_simplex(turned)]):
+            a, b, c, d = ([Fraction(x) + int(by) * Fraction(.6) for x, by in zip(turned[u], o)] for u, o in zip(v, offsets))
+            b, c, d = (subtract(x, a) for x in (b, c, d))
+            steps = [Fraction(heights[u] - heights[v[3]]) - Fraction(heights[v[0]] - heights[v[3]]) for u in v[1:]]
+            normals = cross(c, d), cross(d, b), cross(b, c)
+            expected = [float(sum(step * n[i] for step, n in zip(steps, normals)) / dot(b, normals[0])) for i in range(3)]
+            np.testing.assert_allclose(gradient, expected, rtol=0, atol=1e-9 * np.abs(expected).max())
         slab = dfs.LinearInterpolator(dfs.delaunay3(points, box=(2, 2, None)), linear(points * [0, 0, 1]), -7)
         np.testing.assert_allclose(slab([[99, -99, 0], [1, 1, 99]]), [0, -7], atol=1e-12)
         np.testing.assert_allclose(slab.gradients([99, -99, 0]), [[0, 0, 3]], atol=1e-9)
@@ -388,6 +460,31 @@ class NaturalNeighbors(unittest.TestCase):
         self.assertGreaterEqual(found.min(), -1e-15)
         centres = np.flatnonzero((grid % 1 == .5).all(axis=1) & (grid < 3).all(axis=1))
         np.testing.assert_allclose(np.sort(found[centres], axis=1)[:, -8:], .125, atol=1e-15)
+
+    def test_hull_of_denormal_numbers(self):
+        lattice, unit = crystal([[0, 0, 0]]), 5e-324
+        for spacing, shift in ((2, 1), (4, 2), (13, 7), (1, 0)):
+            made = dfs.NaturalNeighborInterpolator(spacing * unit * lattice, linear(lattice))
+            xi = unit * np.array([[shift, 0, 0], [0, shift, 3 * spacing], [3 * spacing, 0, shift]])
+            np.testing.assert_allclose(made(xi), linear(xi / unit / spacing), rtol=0, atol=1e-12)
+        huge = dfs.NaturalNeighborInterpolator(2.**1022 * (lattice - 1.5), linear(lattice))
+        np.testing.assert_allclose(huge([[-2.**1022, -1.5 * 2.**1022, 1.5 * 2.**1022]]), linear(np.array([.5, 0, 3])))
+
+    def test_large_zones_do_not_slow_down_others(self):
+        """Nor are they looked at without hearing Ctrl-C."""
+        sphere = random_points(20000) - .5
+        sphere /= np.linalg.norm(sphere, axis=1)[:, None]
+        made = dfs.NaturalNeighborInterpolator(sphere, sphere[:, 0])
+        previous = signal.signal(signal.SIGALRM, lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
+        try:
+            signal.setitimer(signal.ITIMER_REAL, .3)
+            begin = time.monotonic()
+            with self.assertRaises(KeyboardInterrupt):
+                made(.1 * random_points(250))
+            self.assertLess(time.monotonic() - begin, 5)  # all would take half a minute
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, previous)
 
     def test_many_neighbors(self):
         """Of a point between two skew lines all points are neighbours."""

@@ -2044,22 +2044,16 @@ class Module(unittest.TestCase):
             self.assertNotIn(library, Path(core.__file__).read_bytes())
 
     def test_import_is_quick(self):
-        """20 ms beyond NumPy's are allowed: it takes a third, and brings none of what others may have installed."""
+        """It brings its own modules and what names their types, some milliseconds beside NumPy."""
         program = """if True:
-            import sys, time
+            import sys
             import numpy
-            begin = time.process_time()
+            before = set(sys.modules)
             import delaunay_from_surface
-            print(time.process_time() - begin)
-            print(*sys.modules)
+            print(*{name.split(".")[0] for name in set(sys.modules) - before})
             """
-        times = []
-        for _ in range(5):
-            done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
-            seconds, modules = done.stdout.splitlines()
-            times.append(float(seconds))
-        self.assertLess(min(times), .02)
-        self.assertFalse({"scipy", "dask", "distributed", "pyvista", "meshio", "torch"} & set(modules.split()))
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+        self.assertLessEqual(set(done.stdout.split()), {"delaunay_from_surface", "numbers", "typing", "_typing"})
 
     def test_documentation(self):
         self.assertEqual(doctest.testmod(dfs).failed, 0)

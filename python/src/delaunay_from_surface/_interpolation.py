@@ -6,13 +6,14 @@
 
 from __future__ import annotations
 
+import numbers
 from typing import Any, Callable, Optional, SupportsIndex, Tuple, Union
 
 import numpy as np
 
 from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads
-from ._periodic import Periodic3
+from ._periodic import Periodic3, SimplexCopies
 from ._regular import Regular3
 from ._result import Delaunay3
 from ._types import ArrayLike, Coordinates, Lists, Points, Reals, Values
@@ -40,10 +41,7 @@ class _Interpolator:
         self._threads = number_of_threads("threads", threads)
         self.triangulation = points if isinstance(points, Delaunay3) else _triangulated(points, self._threads)
         self.values = _values_of(values, self.triangulation.npoints)
-        is_real = self.values.dtype.kind == "f"
-        if is_real and isinstance(fill_value, (complex, np.complexfloating)):
-            raise TypeError(f"fill_value: expected a real number, as the values are, got {fill_value!r}")
-        self.fill_value = float(fill_value) if is_real else complex(fill_value)  # type: ignore[arg-type]
+        self.fill_value = _number("fill_value", fill_value, is_real=self.values.dtype.kind == "f")
         self.outside = outside
         if self.triangulation.dimension < 3:
             raise ValueError(f"{type(self).__name__}: there are no tetrahedra, the points have dimension "
@@ -102,27 +100,30 @@ class LinearInterpolator(_Interpolator):
     ----------
     points
         A triangulation, or points (n, 3) as `delaunay3` takes them, which are triangulated. In a periodic box all
-        copies of a point have its value, and queries may be anywhere. If points have weights, those that are hidden
-        have no say.
+        copies of a point have its value, and queries may be anywhere less than 2**29 periods away. If points have
+        weights, those that are hidden have no say.
     values
         The value of each point: (n, …) real or complex numbers, converted to float64 or complex128. Of equal points the
         first one counts, which `triangulation.vertices` names. Values need not be finite: one that is not matters
-        only where its weight is not 0.
+        only where its weight is not 0, which is decided exactly.
     fill_value
         The value outside the hull.
     outside
         "fill", or "nearest": outside the hull queries get the value of the nearest vertex, exactly; of several that
-        with the smallest index. That is not there for periodic boxes and points with weights.
+        with the smallest index. It is looked for from the one before, by steps to nearer neighbours: a query that is
+        nearest to a vertex with very many takes as long as these are. That is not there for periodic boxes and points
+        with weights.
     threads
         How many threads work, at most 64; None: as many as there are processors. The results are the same.
 
     Raises
     ------
     ValueError
-        If the points lie in a plane, there are not as many values as points, an array is masked, or `outside` or
-        `threads` is none of those above.
+        If the points lie in a plane, there are not as many values as points, an array is masked, the fill value is too
+        large for a float64, `outside` or `threads` is none of those above, or a query in a box is 2**29 or more periods
+        away.
     TypeError
-        If values are no numbers, or only the fill value is complex.
+        If values or queries are no numbers, or the fill value is none of that kind.
     """
 
     def gradients(self, *xi: Any) -> Values:
@@ -130,22 +131,15 @@ class LinearInterpolator(_Interpolator):
         tetrahedra.
 
         The result has the shape (…), that of one value, and 3. Outside the hull it is NaN. On a facet it is the
-        gradient in the tetrahedron with the smaller number. Differences of values are rounded: a gradient is as wrong
-        as that makes it, which may be much in a flat tetrahedron.
+        gradient in the tetrahedron with the smaller number. Differences of values are rounded, and may overflow: a
+        gradient is as wrong as that makes it, which may be much in a flat tetrahedron.
         """
         queries, shape = _queries_of(xi)
-        of, rows = self.triangulation, self._rows
+        of = self.triangulation
         finite, queries = _replaced(queries, of)
-        if isinstance(of, Periodic3):
-            found, offsets = of.find_copies(queries, threads=self._threads)
-            corners = of.simplices[found]  # of each query
-            points: Coordinates = of._moved(corners, of.offsets[found] + offsets[:, None]).reshape(-1, 3)
-            simplices, rows = np.arange(corners.size, dtype=np.int32).reshape(-1, 4), rows[corners.reshape(-1)]
-            found = np.where(found < 0, found, np.arange(len(found), dtype=np.int32))
-        else:
-            points, simplices, found = of.points, of.simplices, of.find_simplex(queries, threads=self._threads)
-        found = np.where(finite, found, np.int32(-1))
-        gradients = _core.linear_gradients(points, simplices, rows, found, self._threads)  # (q, 3, k)
+        found = np.where(finite, of.find_simplex(queries, threads=self._threads), np.int32(-1))
+        in_box = of._in_box if isinstance(of, Periodic3) else None
+        gradients = _core.linear_gradients(of.points, of.simplices, in_box, self._rows, found, self._threads)  # (q, 3, k)
         components = gradients.view(self.values.dtype).reshape(shape + (3,) + self.values.shape[1:])
         return np.moveaxis(components, len(shape), -1)
 
@@ -155,13 +149,22 @@ class LinearInterpolator(_Interpolator):
         of = self.triangulation
         finite, queries = _replaced(queries, of)
         found = of.find_copies(queries, threads=self._threads)
-        weights = of.barycentric(queries, *found, threads=self._threads)[:, :, None]
-        with np.errstate(invalid="ignore"):
-            terms = np.where(weights == 0, 0, weights * self._rows[of.simplices[found.simplices]])
-        results = terms.sum(axis=1)
+        results = np.full((len(queries), self._rows.shape[1]), -0.)  # to which 0 and -0 may be added
+        for first in range(0, len(queries), _GROUP):
+            group = slice(first, first + _GROUP)
+            self._add_values(of, queries[group], SimplexCopies(*(array[group] for array in found)), results[group])
         results[found.simplices < 0] = self._fill
         results[~finite] = np.nan
         return results
+
+    def _add_values(self, of: Periodic3, queries: Coordinates, found: SimplexCopies, results: Reals) -> None:
+        rows = self._rows
+        weights = _core.barycentric_in_box(of.points, of.simplices, of._in_box, queries, found.simplices.astype(np.int64),
+                                           found.offsets.astype(np.int64), self._threads, not np.isfinite(rows).all())
+        with np.errstate(invalid="ignore", over="ignore"):
+            for k in range(4):
+                weight = weights[:, k, None]
+                np.add(results, weight * rows[of.simplices[found.simplices, k]], out=results, where=weight != 0)
 
 
 class NaturalNeighborInterpolator(_Interpolator):
@@ -182,8 +185,9 @@ class NaturalNeighborInterpolator(_Interpolator):
 
     Which vertices are neighbours is decided exactly. Areas are computed with as many digits as it takes to know the
     weights up to about 1e-12. On the hull, where cells are unbounded, weights are the limits from inside: only vertices
-    in the same plane count, and on edges of the hull weights are linear. The time for a query grows with the number of
-    its neighbours, about 20 among random points; but there may be as many as points.
+    in the same plane count, and on edges of the hull weights are linear. A value that is not finite matters where its
+    weight is more than 1e-12. The time for a query grows with the number of its neighbours, about 20 among random
+    points; but there may be as many as points, as within a hollow surface.
 
     What is given, and what is refused, is the same as for `LinearInterpolator`, but points with weights and periodic
     boxes are refused as well.
@@ -200,15 +204,26 @@ class NaturalNeighborInterpolator(_Interpolator):
         return self._interpolated(_core.interpolate_naturally, queries)
 
 
+# How many queries in a box have their weights in memory at once.
+_GROUP = 1 << 16
+
+
+def _number(name: str, value: Any, is_real: bool) -> complex:
+    if not isinstance(value, numbers.Real if is_real else numbers.Complex) or isinstance(value, bool):
+        raise TypeError(f"{name}: expected a {'real ' if is_real else ''}number, as the values are, got {value!r}")
+    try:
+        return float(value) if is_real else complex(value)  # type: ignore[arg-type]
+    except OverflowError:
+        raise ValueError(f"{name}: {value!r} is too large for a float64") from None
+
+
 def _triangulated(points: Points, threads: int) -> Delaunay3:
     array = np.asarray(_core.array_of_points(points, "points"))
     return Delaunay3(array, *_core.delaunay3(array, None, True, 0, None, threads, None, None), threads)
 
 
 def _values_of(values: ArrayLike, n: int) -> Values:
-    if isinstance(values, np.ma.MaskedArray):
-        raise ValueError("values: a masked array is not read; leave out what is masked, and the points")
-    array = np.asarray(values)
+    array = np.asarray(_core.read_alike(values, "values"))
     if array.dtype.kind not in "biufc":
         raise TypeError(f"values: expected numbers, got entries of type {array.dtype}")
     if array.shape[:1] != (n,):
@@ -222,9 +237,8 @@ def _queries_of(xi: Tuple[Any, ...]) -> Tuple[Coordinates, Tuple[int, ...]]:
         xi = xi[0]
     if len(xi) not in (1, 3):
         raise TypeError(f"xi: expected an array of shape (…, 3), or three arrays x, y and z, got {len(xi)} arguments")
-    if any(isinstance(argument, np.ma.MaskedArray) for argument in xi):
-        raise ValueError("xi: a masked array is not read; leave out what is masked")
-    array = np.asarray(xi[0]) if len(xi) == 1 else np.stack(np.broadcast_arrays(*xi), axis=-1)
+    arrays = [np.asarray(_core.read_alike(argument, "xi")) for argument in xi]
+    array = arrays[0] if len(arrays) == 1 else np.stack(np.broadcast_arrays(*arrays), axis=-1)
     if array.shape == (3,) and len(xi) == 1:
         array = array[None]
     if array.shape[-1:] != (3,):

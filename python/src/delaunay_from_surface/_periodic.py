@@ -258,7 +258,7 @@ class Periodic3(Delaunay3):
             raise ValueError(f"barycentric: {len(numbers_of)} simplices and {offsets.size} numbers of offsets for "
                              f"{len(queries)} points")
         return _core.barycentric_in_box(self.points, self.simplices, self._in_box, queries, numbers_of,
-                                        offsets.reshape(-1, 3), number_of_threads("threads", threads)).reshape(*shape, 4)
+                                        offsets.reshape(-1, 3), number_of_threads("threads", threads), False).reshape(*shape, 4)
 
     def _mesh(self) -> Tuple[Reals, Indices]:
         """Each tetrahedron has four points of its own, its `corners`."""

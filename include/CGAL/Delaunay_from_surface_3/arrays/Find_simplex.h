@@ -166,7 +166,8 @@ private:
       return known->second;
     Index least = m_last;
     m_met.clear();
-    m_many_met.clear();
+    if (!m_many_met.empty()) // else clearing would take as long as the largest set has taken
+      std::unordered_set<Index>().swap(m_many_met);
     m_met.push_back(m_last);
     for (std::size_t i = 0; i < m_met.size(); ++i) {
       const Index c = m_met[i];

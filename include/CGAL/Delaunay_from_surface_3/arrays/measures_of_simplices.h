@@ -301,9 +301,11 @@ Power_sphere power_sphere_of(const Corner (&corners)[4])
   return {center, dot(center, center) - weight_of(corners[0])};
 }
 
-// Returns the barycentric coordinates of a point. They add up to 1, and are exact at a corner.
+// Returns the barycentric coordinates of a point. They add up to 1, and are exact at a corner. If zeros
+// are decided, which takes longer near facets, those that are 0 are exactly that, and no others.
 template <class Corner>
-std::array<double, 4> barycentric_of(const Corner (&corners)[4], const Corner& point)
+std::array<double, 4> barycentric_of(const Corner (&corners)[4], const Corner& point,
+                                     bool are_zeros_decided = false)
 {
   std::array<double, 4> weights = {no_measure, no_measure, no_measure, no_measure};
   const decltype(place_of(point)) points[4] = {place_of(corners[0]), place_of(corners[1]),
@@ -313,7 +315,7 @@ std::array<double, 4> barycentric_of(const Corner (&corners)[4], const Corner& p
         in.rows[0], in.rows[1], in.rows[2], in.rows[3]);
     const auto sum = (parts.of[0] + parts.of[1]) + (parts.of[2] + parts.of[3]);
     for (const auto& part : parts.of)
-      if (!in.is_known(part, sum))
+      if (!in.is_known(part, sum) || (are_zeros_decided && !in.is_known(part, part, .5)))
         return false;
     for (std::size_t k = 0; k < 4; ++k)
       weights[k] = quotient(in.rounded(parts.of[k]), in.rounded(sum));
@@ -323,7 +325,8 @@ std::array<double, 4> barycentric_of(const Corner (&corners)[4], const Corner& p
 }
 
 // Returns the gradients of the first three barycentric coordinates.
-inline std::array<std::array<double, 3>, 3> gradients_of(const std::array<double, 3> (&corners)[4])
+template <class Corner>
+std::array<std::array<double, 3>, 3> gradients_of(const Corner (&corners)[4])
 {
   constexpr std::array<double, 3> none = {no_measure, no_measure, no_measure};
   std::array<std::array<double, 3>, 3> gradients = {none, none, none};
