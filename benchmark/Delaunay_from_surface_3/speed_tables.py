@@ -261,10 +261,10 @@ def weights(report):
     ratios["2 without weights"] = lambda row: row["gain_of_two_threads_without_weights"]
     rows = [[f'{row["set"]}, {thousands(row["points"])}', thousands(row["hidden"]), two(row["median_plain_cpu"]),
              *(two(ratio(row)) for ratio in ratios.values())] for row in sizes[-1]]
-    found = [f"for {thousands(max(row['points'] for row in size))} points " +
+    found = [f"For {thousands(max(row['points'] for row in size))} points geometric means are " +
              means({name: [ratio(row) for row in size] for name, ratio in ratios.items()}) for size in sizes]
     return "\n\n".join([measured(report), table(["points", "hidden", "plain %CGAL, s", *ratios], rows),
-                        f"Geometric means: {'; '.join(found)}.", other_tetrahedra(results)])
+                        f"{'. '.join(found)}.", other_tetrahedra(results)])
 
 
 def periodic(report):

@@ -235,7 +235,7 @@ def python_threads(report):
     first = min(n for n in gains if all(gain >= 1 for m, gain in gains.items() if m >= n))
     pays = ", ".join(f"{gain:.2f} times at {n:,}" for n, gain in gains.items() if n > first)
     wheel = f', a wheel has {report["wheel_bytes"] / 1e6:.1f} MB' if "wheel_bytes" in report else ""
-    return (f"Two threads are faster than one from about {first:,} points on ({pays}); with fewer they take up to "
+    return (f"Two threads are faster than one from about {first:,} points on ({pays}). With fewer they take up to "
             f'{1 / min(gains.values()):.2f} times as long (least times of {report["repetitions"]} runs). An import takes '
             f"{1000 * report['import_cpu']:.0f} ms of CPU beyond NumPy's{wheel}. {measured(report)}")
 
