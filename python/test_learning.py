@@ -575,6 +575,9 @@ class Batches(unittest.TestCase):
                 self.assertIsInstance(one, dfs.Regular3)
                 np.testing.assert_array_equal(one.simplices, dfs.delaunay3(points[k], weights=weights[k]).simplices)
         self.assertTrue(np.shares_memory(dfs.delaunay3_batch(points)[3].points, points))
+        ragged = np.empty(2, dtype=object)
+        ragged[:] = points[0], points[1, :50]
+        self.assertEqual([one.npoints for one in dfs.delaunay3_batch(ragged)], [100, 50])
         self.assertEqual(dfs.delaunay3_batch([]), [])
         self.assertEqual(dfs.delaunay3_batch(np.zeros((0, 9, 3))), [])
         mixed = dfs.delaunay3_batch(points[:2], [None, weights[1]], box=(1, 1, 1))
@@ -606,6 +609,50 @@ class Batches(unittest.TestCase):
                 dfs.delaunay3_batch(*arguments, threads=2)
         with self.assertRaisesRegex(ValueError, "^threads: expected a whole number from 1 on"):
             dfs.delaunay3_batch(points, threads=0)
+
+    def test_errors_of_others(self):
+        class Failing:
+            def __init__(self, error):
+                self.error = error
+
+            def __array__(self, *arguments, **keywords):
+                raise self.error
+
+        class Ending:
+            def __array__(self, *arguments, **keywords):
+                if threading.current_thread() is threading.main_thread():
+                    time.sleep(.05)
+                    return random_points(20)
+                raise SystemExit(3)
+
+        class Of_two(MemoryError):
+            def __init__(self, shape, dtype):
+                super().__init__(f"no room for {shape} of {dtype}")
+
+        def files():
+            yield random_points(20)
+            raise TypeError("file 7")
+        for error, message, sets in ((SystemExit, "^3$", [Ending() for _ in range(6)]),
+                                     (MemoryError, r"^set 1: no room for 7 of int", [random_points(9),
+                                                                                    Failing(Of_two(7, "int"))]),
+                                     (OSError, "^disk$", [random_points(9), Failing(OSError("disk"))]),
+                                     (TypeError, "^file 7$", files())):
+            with self.assertRaisesRegex(error, message):
+                dfs.delaunay3_batch(sets, threads=3)
+
+    def test_few_threads(self):
+        """Where no more threads can be started, those that work do it all."""
+        sets, start = self.sets(), threading.Thread.start
+
+        def start_one(thread):
+            if started:
+                raise RuntimeError("can't start new thread")
+            started.append(thread)
+            start(thread)
+        started = []
+        with unittest.mock.patch.object(threading.Thread, "start", start_one):
+            made = dfs.delaunay3_batch(sets, threads=5)
+        self.assertEqual([len(started), *(one.npoints for one in made)], [1, *map(len, sets)])
 
     def test_interrupted(self):
         """Ctrl-C ends all threads, in the middle of their sets."""

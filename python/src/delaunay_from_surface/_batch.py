@@ -6,9 +6,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import threading
 from collections import deque
 from typing import Any, Dict, Iterable, List, Optional, SupportsIndex
+
+import numpy as np
 
 from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads
@@ -29,7 +32,7 @@ def delaunay3_batch(points: Iterable[Points], weights: Optional[Iterable[Optiona
     ----------
     points
         A sequence of sets as `delaunay3` takes them: arrays or tensors of shape (n, 3), of any lengths. Or one array or
-        tensor of shape (b, n, 3) with b sets.
+        tensor of shape (b, n, 3) with b sets, or NumPy's array of b objects.
     weights
         Those of each set, None for one that has none; or an array or tensor of shape (b, n).
     box
@@ -37,13 +40,14 @@ def delaunay3_batch(points: Iterable[Points], weights: Optional[Iterable[Optiona
     neighbors
         As in `delaunay3`.
     threads
-        How many sets are triangulated at once; None: as many as there are processors.
+        How many sets are triangulated at once, or fewer if not so many threads can be started; None: as many as there
+        are processors.
 
     Raises
     ------
     ValueError, TypeError, OverflowError, MemoryError
-        As `delaunay3`, with the number of the set: of several the first. And ValueError if there are not as many
-        weights as sets.
+        As `delaunay3`, with the number of the set: of several the first. What is of no such type is raised as it is.
+        And ValueError if there are not as many weights as sets.
     """
     number = number_of_threads("threads", threads, most=None)
     sets = _sets_of("points", points, 3)
@@ -51,12 +55,13 @@ def delaunay3_batch(points: Iterable[Points], weights: Optional[Iterable[Optiona
     if len(of_sets) != len(sets):
         raise ValueError(f"weights: expected those of {len(sets)} sets, one array for each or None, got {len(of_sets)}")
     batch = _Batch(sets, of_sets, box=None if box is None else periods_of(box), neighbors=neighbors)
-    others = [threading.Thread(target=batch.work) for _ in range(min(number, len(sets)) - 1)]
     started: List[threading.Thread] = []
     try:
-        for thread in others:
-            thread.start()
-            started.append(thread)
+        with contextlib.suppress(RuntimeError):  # if there can be no more threads, those that work do it all
+            for _ in range(min(number, len(sets)) - 1):
+                thread = threading.Thread(target=batch.work)
+                thread.start()
+                started.append(thread)
         batch.work()
         for thread in started:
             thread.join()
@@ -76,30 +81,40 @@ class _Batch:
         self._to_do = deque(range(len(sets)))
         self._made: List[Any] = [None] * len(sets)
         self._errors: Dict[int, Exception] = {}
+        self._ended_by: Optional[BaseException] = None
         self.is_stopped = False
 
     def work(self) -> None:
         """What each thread does. After an error no further set is begun; those before it have been, and are ended."""
+        try:
+            while not self._errors and not self.is_stopped and self._to_do:
+                self._make_next()
+        except BaseException as error:  # such as SystemExit: without this thread some sets would be missing
+            self._ended_by, self.is_stopped = error, True
+
+    def _make_next(self) -> None:
         from . import delaunay3
-        while not self._errors and not self.is_stopped:
-            try:
-                k = self._to_do.popleft()
-            except IndexError:
-                return
-            try:
-                self._made[k] = delaunay3(self._sets[k], weights=self._weights[k],
-                                          progress=lambda _: not self.is_stopped, **self._settings)
-            except Exception as error:
-                self._errors[k] = error
+        try:
+            k = self._to_do.popleft()
+        except IndexError:  # another thread was faster
+            return
+        try:
+            self._made[k] = delaunay3(self._sets[k], weights=self._weights[k],
+                                      progress=lambda _: not self.is_stopped, **self._settings)
+        except Exception as error:
+            self._errors[k] = error
 
     def results(self) -> List[Delaunay3]:
         """One for each set, if there was no error."""
+        if self._ended_by is not None:
+            raise self._ended_by
         if self._errors:
             k = min(self._errors)
             error = self._errors[k]
-            if not isinstance(error, (ValueError, TypeError, OverflowError, MemoryError)):
-                raise error
-            raise type(error)(f"set {k}: {error}") from error
+            for kind in (ValueError, TypeError, OverflowError, MemoryError):
+                if isinstance(error, kind):  # those derived from it may be made of something else than a text
+                    raise kind(f"set {k}: {error}") from error
+            raise error
         return self._made
 
 
@@ -107,12 +122,14 @@ def _sets_of(name: str, given: Any, dimensions: int) -> List[Any]:
     """One for each set: of an array with so many dimensions its parts, which are not copied."""
     array = _core.read_alike(given, name)
     shape = getattr(array, "shape", None)
-    if shape is not None and len(shape) != dimensions:
+    is_of_objects = isinstance(array, np.ndarray) and array.dtype == object and array.ndim == 1
+    if shape is not None and len(shape) != dimensions and not is_of_objects:
         expected = "(b, n, 3)" if dimensions == 3 else "(b, n)"
         raise ValueError(f"{name}: expected an array of shape {expected}, or a sequence with one for each set, "
                          f"got {tuple(shape)}")
     try:
-        return list(array)
+        parts = iter(array)
     except TypeError:
         kind = type(given).__name__
         raise TypeError(f"{name}: expected a sequence with one array for each set, got {kind}") from None
+    return list(parts)
