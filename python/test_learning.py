@@ -71,7 +71,7 @@ class OnlyDLPack:
     """An array that has no other protocol."""
 
     def __init__(self, array):
-        self.array = np.ascontiguousarray(array)
+        self.array = np.asarray(array, order="C")
 
     def __dlpack__(self, **keywords):
         return self.array.__dlpack__(**keywords)
@@ -84,7 +84,7 @@ class OnlyInterface:
     """The same for NumPy's own protocol."""
 
     def __init__(self, array):
-        self.array = np.ascontiguousarray(array)
+        self.array = np.asarray(array, order="C")
         self.__array_interface__ = self.array.__array_interface__
 
 
@@ -170,6 +170,35 @@ class Tensors(unittest.TestCase):
             with self.assertRaisesRegex(TypeError, f"^{name}: expected an array of ") as caught:
                 use(Unreadable(random_points(5)))
             self.assertIn("BFloat16", str(caught.exception.__cause__))
+
+    def test_what_devices_report(self):
+        """That is passed on; what cannot be read is refused by the argument's name."""
+        class Failing(Tensor):
+            def cpu(self):
+                raise RuntimeError("CUDA error: out of memory")
+
+        class Elsewhere(OnlyDLPack):
+            def __dlpack__(self, **keywords):
+                raise BufferError("cannot export")
+        points = random_points(5)
+        with self.assertRaisesRegex(RuntimeError, "^CUDA error: out of memory$"):
+            dfs.delaunay3(Failing(points))
+        if "DLPack" in kinds():
+            with self.assertRaisesRegex(TypeError, "^weights: expected an array of numbers$") as caught:
+                dfs.delaunay3(points, weights=Elsewhere(points[:, 0]))
+            self.assertIsInstance(caught.exception.__cause__, BufferError)
+
+    def test_boxes_and_radii(self):
+        points, periods = random_points(50), np.ones(3)
+        expected = dfs.delaunay3(points, box=periods).alpha_complex(.2)
+        for kind, make in kinds().items():
+            made = dfs.delaunay3(points, box=make(periods)).alpha_complex(make(np.array(.2)))
+            np.testing.assert_array_equal(made.simplices, expected.simplices, kind)
+        for error, message, box in ((TypeError, "the period along x: expected a number, .* got '1'", "123"),
+                                    (ValueError, "a masked array is not read", np.ma.masked_array(periods, [0, 1, 0])),
+                                    (TypeError, "expected three periods, got 7", 7)):
+            with self.assertRaisesRegex(error, f"^box: {message}"):
+                dfs.Moving(points, box=box)
 
     def test_cupy(self):
         """Its arrays have get(), and refuse NumPy."""
@@ -515,6 +544,30 @@ class StandIns(unittest.TestCase):
         self.assertEqual((made.tets_point_id.dtype, made.tets_cc.dtype), (pytorch.int32, pytorch.float32))
         self.assertEqual(cell_set(made.tets_point_id.numpy()), cell_set(expected.simplices))
         self.assertEqual(cpp.triangulate(positions, dtype=pytorch.int64).dtype, pytorch.int64)
+
+    def test_weights(self):
+        points, weights = recorded(2)
+        expected = cell_set(dfs.delaunay3(points, weights=weights).simplices)
+
+        def forward(given):
+            return cgalwdt.CGALWDTStruct.forward(types.SimpleNamespace(positions=points, weights=given), True, False, 50,
+                                                 True)
+        for given in (iter(weights), list(weights), weights[:, None]):
+            self.assertEqual(cell_set(forward(given).tets_point_id), expected)
+        for error, wrong in ((ValueError, np.ma.masked_array(weights, np.arange(len(weights)) == 7)),
+                             (ValueError, np.ma.masked_array(weights[:, None])), (ValueError, weights[:-1]),
+                             (ValueError, weights[None]), (TypeError, None)):
+            with self.assertRaisesRegex(error, "^weights: "):
+                forward(wrong)
+
+    def test_far_centers(self):
+        """They are infinite, without a warning."""
+        points = random_points(60) * [1e3, 1e3, 0]
+        points[3, 2] = 1e-38
+        with np.errstate(all="raise"):
+            made = cgalwdt.CGALWDTStruct.forward(types.SimpleNamespace(positions=points, weights=np.zeros(60)),
+                                                 compute_cc=True)
+        self.assertFalse(np.isfinite(made.tets_cc).all())
 
     def test_in_a_plane(self):
         flat = recorded(1)[0] * np.float32([1, 1, 0])

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <cstring>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -148,23 +149,29 @@ inline void refuse_mask(const std::string& name, const py::object& object)
     throw py::value_error(name + ": a masked array is not read; leave out what is masked");
 }
 
+inline bool is_tensor(const py::object& object)
+{
+  return py::hasattr(object, "detach") && py::hasattr(object, "cpu");
+}
+
 // Returns what lies in the host's memory. A tensor of PyTorch that requires a gradient or is on a
 // device, and an array of CuPy, do not let NumPy read them: the values are taken, and copied where
 // they are not in this memory. The object itself is returned if it is no such thing.
 inline py::object on_host(const py::object& object)
 {
-  if (py::hasattr(object, "detach") && py::hasattr(object, "cpu"))
-    return object.attr("detach")().attr("cpu")().attr("numpy")();
+  if (is_tensor(object))
+    return object.attr("detach")().attr("cpu")();
   if (py::hasattr(object, "__cuda_array_interface__") && py::hasattr(object, "get"))
     return object.attr("get")();
   return object;
 }
 
-// Returns what NumPy makes of an object. An object that can be read only once is put into a list
-// first, and one that has only the protocol of DLPack is read by that.
-inline py::object array_or_alike(const py::object& given)
+// Returns what NumPy makes of an object on the host. An object that can be read only once is put
+// into a list first, and one that has only the protocol of DLPack is read by that.
+inline py::object array_or_alike(const py::object& object)
 {
-  const py::object object = on_host(given);
+  if (is_tensor(object))
+    return object.attr("numpy")();
   const py::module_ numpy = py::module_::import("numpy");
   if (py::isinstance<py::iterator>(object))
     return numpy.attr("asanyarray")(py::list(object));
@@ -178,15 +185,17 @@ inline py::object array_or_alike(const py::object& given)
   return py::module_::import("numpy.lib.recfunctions").attr("structured_to_unstructured")(array);
 }
 
-// Returns the same as an array; if there is none, the exception has the reason as its cause.
-inline py::array array_from_any(const std::string& name, const py::object& object,
+// Returns the same as an array; if there is none, the exception has the reason as its cause. What a
+// device reports is passed on as it is.
+inline py::array array_from_any(const std::string& name, const py::object& given,
                                 const std::string& what)
 {
+  const py::object object = on_host(given);
   try {
     return py::array(array_or_alike(object));
   } catch (py::error_already_set& error) {
     if (!error.matches(PyExc_TypeError) && !error.matches(PyExc_ValueError) &&
-        !error.matches(PyExc_RuntimeError))
+        !error.matches(PyExc_RuntimeError) && !error.matches(PyExc_BufferError))
       throw;
     py::raise_from(error, PyExc_TypeError, (name + ": expected an array of " + what).c_str());
     throw py::error_already_set();
@@ -240,17 +249,18 @@ void copy_points(const Points_view& view, std::size_t n, const char* name, Vecto
     }
 }
 
-// Returns the weights of n points as a contiguous array of doubles, and refuses those that are not
-// finite.
-inline py::array_t<double> array_of_weights(const py::object& object, std::size_t n)
+// Returns the weights of n points, or of any number, as a contiguous array of doubles, and refuses
+// those that are not finite.
+inline py::array_t<double> array_of_weights(const py::object& object, std::optional<std::size_t> n)
 {
   refuse_mask("weights", object);
   const py::array array = array_of("weights", object, "fiu", "numbers", "float64");
-  if (array.ndim() != 1 || std::size_t(array.shape(0)) != n)
-    throw py::value_error("weights: expected an array of shape (" + std::to_string(n) +
+  if (array.ndim() != 1 || (n.has_value() && std::size_t(array.shape(0)) != *n))
+    throw py::value_error("weights: expected an array of shape (" +
+                          (n.has_value() ? std::to_string(*n) : "n") +
                           ",), one for each point, got " + shape_of(array));
   const py::array_t<double> weights(py::array(array.attr("astype")("float64", "C"))); // a copy
-  for (std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < std::size_t(weights.size()); ++i)
     if (!std::isfinite(weights.data()[i]))
       throw py::value_error("weights: that of point " + std::to_string(i) +
                             " is not a finite number");

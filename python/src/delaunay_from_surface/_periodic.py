@@ -71,8 +71,11 @@ class PeriodicAlphaComplex(NamedTuple):
 
 def periods_of(box: Box) -> Reals:
     """(3,) float64: the periods, infinite along axes that have none."""
+    read = _core.read_alike(box, "box")
+    if isinstance(read, np.ma.MaskedArray):
+        raise ValueError("box: a masked array is not read; None stands for no period")
     try:
-        given = list(box)
+        given = list(read)
     except TypeError:
         raise TypeError(f"box: expected three periods, got {box!r}") from None
     if len(given) != 3:
@@ -83,7 +86,7 @@ def periods_of(box: Box) -> Reals:
         if period is None:
             continue
         try:
-            periods[axis] = float(period)
+            periods[axis] = float(+period)  # a text is no number
         except (TypeError, ValueError):
             raise TypeError(f"{name}: expected a number, or None if there is no period, got {period!r}") from None
         if not periods[axis] > 0:

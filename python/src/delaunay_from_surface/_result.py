@@ -409,6 +409,9 @@ class Delaunay3(Cells):
     def _faces_up_to(self, alpha: Radius) -> Tuple[Indices, List[Tuple[Indices, Indices]]]:
         """The tetrahedra whose spheres have at most this radius; and vertices, edges and triangles, each with offsets."""
         self._needs_space("alpha_complex")
+        alpha = _core.read_alike(alpha, "alpha")
+        if isinstance(alpha, np.ndarray) and alpha.ndim == 0:
+            alpha = alpha[()]
         if not isinstance(alpha, numbers.Real) or not alpha >= 0:
             raise ValueError(f"alpha_complex: expected a radius, got {alpha!r}")
         # In units of alpha: what is too small or too large for a square is much smaller or larger.

@@ -47,8 +47,8 @@ class CGALWDTStruct:
         Parameters
         ----------
         points
-            An object with `positions` (n, 3) and `weights` (n,): tensors on any device, or arrays; then the result has
-            arrays.
+            An object with `positions` (n, 3) and `weights` (n,) or (n, 1): tensors on any device, or arrays; then the
+            result has arrays.
         weighted, p_lock_grid_size
             Not used: the original's weights always count, too, and there is no grid of locks.
         parallelize
@@ -64,11 +64,12 @@ class CGALWDTStruct:
             As `delaunay3`: for NaN, too. If all points lie in a plane there are no tetrahedra.
         """
         kind = index_type(dtype)
-        weights = np.asarray(_core.read_alike(points.weights, "weights"))
-        if weights.ndim == 2 and weights.shape[1] == 1:
+        weights = _core.read_alike(points.weights, "weights")
+        if getattr(weights, "shape", ())[1:] == (1,):
             weights = weights[:, 0]
         begin = time.perf_counter()
-        made = delaunay3(points.positions, weights=weights, threads=None if parallelize else 1)
+        made = delaunay3(points.positions, weights=_core.array_of_weights(weights, None),
+                         threads=None if parallelize else 1)
         result = CGALWDTStruct()
         result.time_sec = time.perf_counter() - begin
         has_tetrahedra = made.dimension == 3
@@ -76,5 +77,6 @@ class CGALWDTStruct:
         centers = np.zeros(0) if not compute_cc else made.power_centers if has_tetrahedra else np.zeros((0, 3))
         result.points = points
         result.tets_point_id = as_given(points.positions, cells.astype(kind, copy=False))
-        result.tets_cc = as_given(points.positions, centers.astype(np.float32))
+        with np.errstate(all="ignore"):  # far ones are infinite
+            result.tets_cc = as_given(points.positions, centers.astype(np.float32))
         return result
