@@ -256,7 +256,7 @@ PYBIND11_MODULE(_delaunay_from_surface, m)
         return "<InsertionOrder of " + std::to_string(kept.size) + " points>";
       });
   for (const char* const name : {"Stopped", "InsertionOrder"})
-    m.attr(name).attr("__module__") = "delaunay_from_surface"; // they are found there, and pickled
+    m.attr(name).attr("__module__") = "delaunay_from_surface"; // they are found there
   m.def("delaunay3", &delaunay3);
   m.def("periodic3", &periodic3);
   python::define_surface_functions(m);

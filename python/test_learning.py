@@ -6,11 +6,13 @@
 for the triangulations of others, against TetGen and CGAL where these are found."""
 
 import contextlib
+import copy
 import importlib.util
 import inspect
 import io
 import itertools
 import os
+import pickle
 import shutil
 import signal
 import subprocess

@@ -6,8 +6,9 @@
 
 from __future__ import annotations
 
+import threading
 from functools import cached_property
-from typing import Any, Optional, SupportsIndex, Tuple
+from typing import Any, Dict, Optional, SupportsIndex, Tuple
 
 import numpy as np
 
@@ -96,14 +97,16 @@ class Moving:
     """Points that move a little from step to step, as in an optimisation: `update()` triangulates them anew.
 
     What helps the next step is kept: the order of insertion (see `InsertionOrder`; there is none in a periodic box),
-    the weights and the box. So is the last triangulation, and `changes` says in what it differs from the one before.
+    the weights and the box. So is the last triangulation, and `changes` says in what it differs from the one before. So
+    there are three triangulations while a step is made: these two and the new one. Copies, and what is unpickled, find
+    an order of their own.
 
     Parameters
     ----------
     points
         The first ones, as `update` takes them; or None.
     weights
-        The weight of each point, as in `delaunay3`. They count until others are given.
+        The weight of each point, as in `delaunay3`. They are copied, and count until others are given.
     box
         The periods of a periodic box, as in `delaunay3`.
     threads
@@ -120,11 +123,12 @@ class Moving:
 
     def __init__(self, points: Optional[Points] = None, *, weights: Optional[ArrayLike] = None,
                  box: Optional[Box] = None, threads: Optional[SupportsIndex] = 1, dtype: Any = "int32") -> None:
-        self._weights = None if weights is None else _core.read_alike(weights, "weights")
+        self._weights = None if weights is None else _core.array_of_weights(weights, None)
         self._box = None if box is None else periods_of(box)
         self._threads = number_of_threads("threads", threads)
         self._type = index_type(dtype)
         self._order = InsertionOrder()
+        self._at_work = threading.Lock()
         self._changes: Optional[Changes] = None
         if points is not None:
             self.update(points)
@@ -132,21 +136,35 @@ class Moving:
     def __repr__(self) -> str:
         return f"<Moving: {'nothing yet' if self._changes is None else repr(self.triangulation)[1:-1]}>"
 
+    def __getstate__(self) -> Dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name not in ("_order", "_at_work")}
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        vars(self).update(state, _order=InsertionOrder(), _at_work=threading.Lock())
+
     def update(self, points: Points, weights: Optional[ArrayLike] = None) -> Delaunay3:
         """Triangulate the points at their places now, and return the triangulation: what `delaunay3` would return.
 
         `points` is an array of shape (n, 3), or a tensor on any device. It is copied, so it may be changed in place
         afterwards, as optimisers do. `weights` are new ones; if they are left out, the last ones count. There may be
-        more or fewer points than before. What is refused changes nothing. Raises what `delaunay3` does.
+        more or fewer points than before. What is refused changes nothing. Raises what `delaunay3` does, and ValueError
+        while another call is at work.
         """
+        if not self._at_work.acquire(blocking=False):
+            raise ValueError("update: another call is at work on this Moving")
+        try:
+            return self._updated(points, weights)
+        finally:
+            self._at_work.release()
+
+    def _updated(self, points: Points, weights: Optional[ArrayLike]) -> Delaunay3:
         from . import delaunay3
         array = np.array(_core.array_of_points(points, "points"), subok=False)
         of_points = self._weights if weights is None else weights
         settings: Any = {"order": self._order} if self._box is None else {"box": self._box}
         made: Any = delaunay3(array, weights=of_points, neighbors=True, threads=self._threads, **settings)
-        if of_points is not None:
-            self._weights = made.weights
-        self._changes = Changes(None if self._changes is None else self._changes.after, made, self._threads, self._type)
+        changes = Changes(None if self._changes is None else self._changes.after, made, self._threads, self._type)
+        self._weights, self._changes = None if of_points is None else made.weights, changes
         return made
 
     @property
@@ -163,7 +181,8 @@ class Moving:
 
     @property
     def simplices(self) -> Indices:
-        """(m, d + 1): those of the triangulation."""
+        """(m, d + 1): those of the triangulation. With int32 this and the next two are its own arrays, which the next
+        step is compared with: they should not be written into."""
         return self.triangulation.simplices.astype(self._type, copy=False)
 
     @property
@@ -179,7 +198,7 @@ class Moving:
 
 def _motion(before: Any, after: Any) -> Tuple[int, float]:
     """How many points have moved, and the largest distance."""
-    with np.errstate(over="ignore"):
+    with np.errstate(all="ignore"):
         step = after.astype(np.float64) - before
         lengths = np.hypot(np.hypot(step[:, 0], step[:, 1]), step[:, 2])
     return int(np.count_nonzero((after != before).any(axis=1))), float(lengths.max(initial=0))

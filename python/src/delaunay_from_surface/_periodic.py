@@ -191,22 +191,30 @@ class Periodic3(Delaunay3):
         """(indptr, indices, offsets), (n + 1,) int64, (2 e,) int32 and (2 e, 3) int32 for e edges: the vertices that share an
         edge with point i are points[indices[j]] + offsets[j] * box for j from indptr[i] to indptr[i + 1] - 1."""
         self._needs_space("vertex_neighbor_vertices")
-        ends, _, offsets = self._facets_of_cells
+        ends, offsets = self._edges
         ends, offsets = np.concatenate([ends, ends[:, ::-1]]), np.concatenate([offsets, -offsets])
         order, _ = _numbered(np.concatenate([ends, offsets], axis=1))
         counts = np.bincount(ends[:, 0], minlength=self.npoints)
         return PeriodicNeighbors(np.append(0, np.cumsum(counts)).astype(np.int64), ends[order, 1], offsets[order])
 
+    @cached_property
+    def _edges(self) -> Tuple[Indices, Indices]:
+        """The edges and their offsets, without what the Voronoi diagram has beside them."""
+        if self.nsimplex == 0:
+            return np.zeros((0, 2), dtype=np.int32), np.zeros((0, 3), dtype=np.int32)
+        edges, offsets, _, _ = self._faces(None, 0, has_values=False)[1]
+        return edges, offsets[:, 1].copy()
+
     @property
     def edges(self) -> Indices:
         """(e, 2) int32: the edges, the smaller index first, in lexicographical order; those with the same ends by their offsets."""
-        return self._facets_of_cells[0] if self.nsimplex else np.zeros((0, 2), dtype=np.int32)
+        return self._edges[0]
 
     @property
     def edge_offsets(self) -> Indices:
         """(e, 3) int32: by how many periods the second end of each edge is moved, if the first is not. Positive, in
         lexicographical order, where both are the same point."""
-        return self._facets_of_cells[2] if self.nsimplex else np.zeros((0, 3), dtype=np.int32)
+        return self._edges[1]
 
     def find_simplex(self, xi: Points, bruteforce: bool = False, tol: Optional[float] = None, *,
                      threads: Optional[SupportsIndex] = 1) -> Indices:
