@@ -405,7 +405,9 @@ class Motion(unittest.TestCase):
                       changes.edges_gone,
                       changes.edges_new):
             self.assertEqual(array.dtype, np.int64)
-        for wrong in ("float64", "int16", float, 7, "torch.bool", None):
+        self.assertEqual([dfs.Moving(random_points(9), dtype=f"torch.{name}").simplices.itemsize
+                          for name in ("int", "int32", "long", "int64")], [4, 4, 8, 8])
+        for wrong in ("float64", "int16", float, 7, "torch.bool", "torch.i4", "f8,(", ("i4", -1), None):
             with self.assertRaisesRegex(TypeError, "^dtype: expected int32 or int64, got "):
                 dfs.Moving(dtype=wrong)
 
@@ -429,6 +431,72 @@ class Motion(unittest.TestCase):
                 dfs.Moving(threads=wrong)
         with self.assertRaisesRegex(ValueError, "box: expected three periods"):
             dfs.Moving(box=(1, 1))
+
+    def test_weights_are_read_at_once(self):
+        points, weights = random_points(50), random_points(50)[:, 0] * .01
+        expected = cell_set(dfs.delaunay3(points, weights=weights).simplices)
+        given = weights.copy()
+        for moving in (dfs.Moving(weights=given), dfs.Moving(weights=iter(weights))):
+            given[:] = 0
+            with self.assertRaisesRegex(ValueError, "^points: point 0"):
+                moving.update(points * np.nan)
+            self.assertEqual(cell_set(moving.update(points).simplices), expected)
+        for error, message, wrong in ((TypeError, "expected an array of numbers|expected numbers", "abc"),
+                                      (ValueError, "a masked array is not read", np.ma.masked_array(weights)),
+                                      (ValueError, r"expected an array of shape \(n,\), .* got \(50, 3\)", points),
+                                      (ValueError, "that of point 1 is not a finite number", [0, np.nan])):
+            with self.assertRaisesRegex(error, f"^weights: {message}"):
+                dfs.Moving(weights=wrong)
+
+    def test_one_call_at_a_time(self):
+        """In a box, too, where no order would be shared: what one call needs is not that of another."""
+        points = random_points(50)
+        for box in (None, (1, 1, 1)):
+            moving, refusals = dfs.Moving(points, box=box), []
+
+            class Meanwhile(OnlyInterface):
+                def detach(self):
+                    try:
+                        moving.update(points)
+                    except ValueError as error:
+                        refusals.append(str(error))
+                    return self
+
+                def cpu(self):
+                    return self
+
+                def numpy(self):
+                    return self.array
+            moving.update(Meanwhile(points + .001))
+            self.assertEqual(refusals, ["update: another call is at work on this Moving"])
+            self.assertEqual((moving.changes.moved, moving.update(points).npoints), (50, 50))
+
+    def test_strict_arithmetic(self):
+        """NumPy may have been told to raise: a step is whole all the same."""
+        points = random_points(50) * 1e-300
+        later, moving = points + random_points(50, 2) * 1e-310, dfs.Moving(points)
+        with np.errstate(all="raise"):
+            moving.update(later)
+        self.assertEqual(moving.changes.moved, 50)
+
+    def test_copies(self):
+        points = random_points(50)
+        moving = dfs.Moving(points, weights=points[:, 0] * .1)
+        for other in (copy.copy(moving), copy.deepcopy(moving), pickle.loads(pickle.dumps(moving))):
+            np.testing.assert_array_equal(other.simplices, moving.simplices)
+            self.assertEqual(cell_set(other.update(points + .001).simplices), cell_set(moving.simplices))
+            self.assertEqual((other.changes.moved, len(other.changes.simplices_new)), (50, 0))
+
+    def test_edges_in_a_box(self):
+        """They are those of the Voronoi diagram, one by one, which is not made for them."""
+        for n, scale in ((3, 0), (60, .05), (300, 0)):
+            points = random_points(n) + np.random.default_rng(n).integers(-2, 3, (n, 3))
+            made = dfs.delaunay3(points, box=(1, None, .9), weights=scale * random_points(n)[:, 0])
+            edges, offsets = made.edges, made.edge_offsets
+            self.assertNotIn("_diagram", vars(made))
+            facets = made.power_facets
+            np.testing.assert_array_equal(np.column_stack([edges, offsets]),
+                                          np.column_stack([facets.pairs, facets.offsets]))
 
     def test_what_the_extension_refuses(self):
         cells = dfs.delaunay3(random_points(20)).simplices
@@ -594,8 +662,20 @@ class StandIns(unittest.TestCase):
             with self.assertRaisesRegex(ValueError,
                                         "^switches: expected 'Q', for the Delaunay tetrahedra of points alone, got"):
                 made.tetrahedralize(switches=switches)
-        with self.assertRaisesRegex(ValueError, "^faces: only points alone are tetrahedralised here, got 2 faces"):
-            tetgen.TetGen(points, np.array([[0, 1, 2], [1, 2, 3]]))
+        with self.assertRaisesRegex(TypeError, "^switches: expected a text such as 'Q', got None"):
+            made.tetrahedralize(switches=None)
+        flat = np.array([3, 0, 1, 2, 3, 1, 2, 3])
+        for error, message, faces in ((ValueError, r"got an array of shape \(8,\)", flat),
+                                      (ValueError, r"got an array of shape \(2, 4\)", Tensor(flat.reshape(2, 4))),
+                                      (ValueError, "got 2 of them", [[0, 1, 2], [1, 2, 3, 4]]),
+                                      (TypeError, "expected None, .* got generator", (face for face in []))):
+            with self.assertRaisesRegex(error, f"^faces: .*{message}"):
+                tetgen.TetGen(points, faces)
+        for none in (None, [], np.zeros((0, 3), dtype=int)):
+            given = points.copy()
+            made = tetgen.TetGen(given, none)
+            given[:] = 0  # the copy is another
+            self.assertEqual(cell_set(made.tetrahedralize()[1]), cell_set(tets))
         with self.assertRaisesRegex(ValueError, r"^points: expected an array of shape \(n, 3\)"):
             tetgen.TetGen(points[:, :2])
         for use in (lambda: made.tetrahedralize(dtype="int8"), lambda: cpp.triangulate(points, dtype=float)):
@@ -763,6 +843,8 @@ class Wishes(unittest.TestCase):
             self.assertRegex(self.text(work),
                              r"^\rpercent of the points: 0 of 100(.*)\rpercent of the points: 100 of 100\n$")
         self.assertEqual(self.text(lambda: dfs.delaunay3(points, progress=False)), "")
+        self.assertEqual(self.text(lambda: dfs.delaunay3(points, progress=np.False_)), "")
+        self.assertIn("100 of 100", self.text(lambda: dfs.delaunay3(points, progress=np.True_)))
         bad = points.copy()
         bad[0, 0] = np.inf
         self.assertEqual(self.text(lambda: self.assertRaises(ValueError, dfs.delaunay3, bad, progress=True)), "")

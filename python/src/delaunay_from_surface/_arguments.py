@@ -38,12 +38,14 @@ def number_of_threads(name: str, threads: Optional[SupportsIndex], most: Optiona
     return number if most is None else min(number, most)
 
 
+OF_TORCH = {"torch.int32": np.int32, "torch.int": np.int32, "torch.int64": np.int64, "torch.long": np.int64}
+
+
 def index_type(dtype: Any) -> Any:
     """The type of indices: int32 or int64, by NumPy's name for it or by PyTorch's."""
-    name = str(dtype)
     try:
-        kind = np.dtype(name[6:] if name.startswith("torch.") else dtype)
-    except TypeError:
+        kind = np.dtype(OF_TORCH.get(str(dtype), dtype))
+    except Exception:  # NumPy reads texts in many ways
         kind = None
     if kind not in (np.dtype(np.int32), np.dtype(np.int64)):
         raise TypeError(f"dtype: expected int32 or int64, got {dtype!r}")

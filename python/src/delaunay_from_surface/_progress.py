@@ -10,6 +10,8 @@ import contextlib
 import sys
 from typing import Any, Callable, Iterator, Optional
 
+import numpy as np
+
 
 class Bar:
     """A bar of tqdm on stderr, a new one for each kind of work; where there is no tqdm, a line of text."""
@@ -45,6 +47,8 @@ class Bar:
 @contextlib.contextmanager
 def shown(progress: Any, step: Callable[[Bar], Callable[..., object]]) -> Iterator[Optional[Callable[..., object]]]:
     """What to call with the progress: the caller's function, or for True step(bar), which shows it; else None."""
+    if isinstance(progress, np.bool_):
+        progress = bool(progress)
     if progress is None or progress is False:
         yield None
     elif progress is not True:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     """Indices of points, of shape (m, k), or sequences of any lengths."""
     Box = Union[Iterable[Optional[float]], NDArray[np.floating[Any]], NDArray[np.integer[Any]]]
     """Three periods, None or infinite along axes that have none."""
-    Progress = Union[Callable[[float], object], bool, None]
+    Progress = Union[Callable[[float], object], bool, np.bool_, None]
     """What is called with the share that is done; True for a bar."""
     Coordinates = Union[NDArray[np.float64], NDArray[np.float32]]
     Indices = NDArray[np.int32]

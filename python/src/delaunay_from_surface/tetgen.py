@@ -27,7 +27,8 @@ __all__ = ["TetGen"]
 
 
 class TetGen:
-    """Points to be tetrahedralised: (n, 3), or a tensor on any device. There are no faces, or none in their array."""
+    """Points to be tetrahedralised: (n, 3), or a tensor on any device, which are copied. There are no faces, or none in
+    their array."""
 
     node: Optional[Reals] = None
     """(n, 3) float64: the points, once they are tetrahedralised."""
@@ -36,10 +37,9 @@ class TetGen:
     """(m, 4): the tetrahedra, once they are there."""
 
     def __init__(self, points: Any, faces: Any = None) -> None:
-        self._points = np.asarray(_core.array_of_points(points, "points"))
-        if faces is not None and np.size(_core.read_alike(faces, "faces")) > 0:
-            raise ValueError(f"faces: only points alone are tetrahedralised here, got {len(faces)} faces: that needs "
-                             "TetGen")
+        self._points = np.array(_core.array_of_points(points, "points"), subok=False)
+        if faces is not None:
+            _refuse(_core.read_alike(faces, "faces"))
 
     def tetrahedralize(self, switches: str = "Q", *, threads: Optional[SupportsIndex] = 1, dtype: Any = "int32"
                        ) -> Tuple[Reals, Indices]:
@@ -53,6 +53,8 @@ class TetGen:
         Raises ValueError for switches other than Q, V and z, which change nothing: all others are about surfaces,
         weights or further output; and what `delaunay3` raises.
         """
+        if not isinstance(switches, str):
+            raise TypeError(f"switches: expected a text such as 'Q', got {switches!r}")
         if set(switches) - set("QVz"):
             raise ValueError("switches: expected 'Q', for the Delaunay tetrahedra of points alone, got "
                              f"{switches!r}: others need TetGen")
@@ -61,3 +63,17 @@ class TetGen:
         cells = result.simplices if result.dimension == 3 else np.zeros((0, 4), dtype=np.int32)
         self.node, self.elem = self._points.astype(np.float64), cells.astype(kind, copy=False)
         return self.node, self.elem
+
+
+def _refuse(faces: Any) -> None:
+    """Refuses faces, unless there are none."""
+    shape = getattr(faces, "shape", None)
+    try:
+        has_none = len(faces) == 0 if shape is None else 0 in shape
+    except TypeError:
+        raise TypeError("faces: expected None, or an array or sequence with no faces, got "
+                        f"{type(faces).__name__}") from None
+    if not has_none:
+        what = f"{len(faces)} of them" if shape is None else f"an array of shape {tuple(shape)}"
+        raise ValueError(f"faces: only points alone are tetrahedralised here, got {what}: leave them out, or take TetGen "
+                         "itself")
