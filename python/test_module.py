@@ -1436,9 +1436,12 @@ class Meshes(unittest.TestCase):
         names = {3: "tetra", 2: "triangle", 1: "line", 0: "vertex", -1: "vertex"}
         stand_in = types.SimpleNamespace(Mesh=lambda points, cells: types.SimpleNamespace(points=points, cells=cells))
         for dimension, points in self.points.items():
-            ours = dfs.delaunay3(points, neighbors=True)
+            ours = dfs.delaunay3(points)
             with unittest.mock.patch.dict(sys.modules, meshio=stand_in):
-                (name, cells), = ours.to_meshio().cells
+                mesh = ours.to_meshio()
+            (name, cells), = mesh.cells
+            self.assertFalse(np.shares_memory(mesh.points, points) or np.shares_memory(cells, ours.simplices))
+            np.testing.assert_array_equal(mesh.points, points)
             self.assertEqual((ours.dimension, name), (dimension, names[dimension]))
             self.assertTrue(np.array_equal(cells, ours.simplices) and cells.flags.c_contiguous)
         if importlib.util.find_spec("meshio"):
@@ -1455,6 +1458,7 @@ class Meshes(unittest.TestCase):
             for points, cells in (ours.to_meshio(), ours.to_pyvista()):
                 cells = cells[10] if isinstance(cells, dict) else dict(cells)["tetra"]
                 np.testing.assert_array_equal(points[cells], ours.corners)
+                self.assertFalse(np.shares_memory(points, ours.corners))
 
     def test_vtk(self):
         if not importlib.util.find_spec("vtkmodules"):
@@ -1471,18 +1475,19 @@ class Meshes(unittest.TestCase):
                                  if ours.nsimplex else set())
 
     def test_pyvista(self):
-        stand_in = types.SimpleNamespace(CellType=types.SimpleNamespace(TETRA=10, TRIANGLE=5, LINE=3),
+        stand_in = types.SimpleNamespace(CellType=types.SimpleNamespace(TETRA=10, TRIANGLE=5, LINE=3, VERTEX=1),
                                          UnstructuredGrid=lambda *arguments: arguments)
         for dimension, points in self.points.items():
             ours = dfs.delaunay3(points, neighbors=True)
             with unittest.mock.patch.dict(sys.modules, pyvista=stand_in):
                 grid = ours.to_pyvista()
-            if dimension < 1:
+            if dimension < 0:
                 self.assertEqual(grid, ())
                 continue
-            cells = grid[0][{3: 10, 2: 5, 1: 3}[dimension]]
+            cells = grid[0][{3: 10, 2: 5, 1: 3, 0: 1}[dimension]]
             self.assertTrue(np.array_equal(cells, ours.simplices) and cells.flags.c_contiguous)
-            self.assertIs(grid[1], ours.points)
+            np.testing.assert_array_equal(grid[1], points)
+            self.assertFalse(np.shares_memory(grid[1], points))
 
 
 class Examples(unittest.TestCase):

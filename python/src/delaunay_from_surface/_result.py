@@ -374,19 +374,21 @@ class Delaunay3(Cells):
         return grid
 
     def to_pyvista(self) -> Any:
-        """Return a pyvista.UnstructuredGrid of the simplices. `to_pyvista().plot()` shows them, in a notebook, too."""
+        """Return a pyvista.UnstructuredGrid of the simplices, with copies of points and indices. `to_pyvista().plot()` shows
+        them, in a notebook, too."""
         import pyvista
-        kind = {3: pyvista.CellType.TETRA, 2: pyvista.CellType.TRIANGLE, 1: pyvista.CellType.LINE}
         points, cells = self._mesh()
-        if self.dimension not in kind or len(cells) == 0:
+        if len(cells) == 0:
             return pyvista.UnstructuredGrid()
-        return pyvista.UnstructuredGrid({kind[self.dimension]: cells}, points)
+        kind = getattr(pyvista.CellType, {3: "TETRA", 2: "TRIANGLE", 1: "LINE", 0: "VERTEX"}[self.dimension])
+        return pyvista.UnstructuredGrid({kind: cells.copy()}, points.copy())
 
     def to_meshio(self) -> Any:
-        """Return a meshio.Mesh of the simplices."""
+        """Return a meshio.Mesh of the simplices, with copies of points and indices."""
         import meshio
         points, cells = self._mesh()
-        return meshio.Mesh(points, [({3: "tetra", 2: "triangle", 1: "line"}.get(self.dimension, "vertex"), cells)])
+        kind = {3: "tetra", 2: "triangle", 1: "line"}.get(self.dimension, "vertex")
+        return meshio.Mesh(points.copy(), [(kind, cells.copy())])
 
     def _mesh(self) -> Tuple[Coordinates, Indices]:
         """Points and cells in one piece, as programs for meshes take them."""
