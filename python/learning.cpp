@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Compares triangulations of points that have moved.
+// Compares triangulations of points that have moved, and finds edges in a periodic box.
 
 #include "Unlocked.h"
 #include "functions.h"
@@ -269,9 +269,70 @@ py::tuple changed_simplices(const Numbers& before, const py::object& offsets_bef
                         python::array_from(std::move(added), {number_added}));
 }
 
+// An edge in a box: its ends, and by how many periods the second is moved, if the first is not.
+using Edge_in_box = std::array<Index, 5>;
+
+// Adds edges of tetrahedra, each once, in lexicographical order: those between these corners, which
+// are one vertex, and vertices with larger numbers, or copies of its own that are moved forwards.
+void add_edges(const Simplices& tetrahedra, const std::uint32_t* corner, const std::uint32_t* end,
+               std::vector<Edge_in_box>& edges)
+{
+  const auto old = std::ptrdiff_t(edges.size());
+  for (; corner != end; ++corner)
+    for (std::size_t k = *corner - *corner % 4, last = k + 4; k < last; ++k) {
+      Edge_in_box edge{tetrahedra.points[*corner], tetrahedra.points[k], 0, 0, 0};
+      for (std::size_t a = 0; a < 3; ++a)
+        edge[2 + a] = tetrahedra.offsets[3 * k + a] - tetrahedra.offsets[3 * *corner + a];
+      if (edge > Edge_in_box{edge[0], edge[0], 0, 0, 0})
+        edges.push_back(edge);
+    }
+  std::sort(edges.begin() + old, edges.end());
+  edges.erase(std::unique(edges.begin() + old, edges.end()), edges.end());
+}
+
+// Returns the edges of tetrahedra of n points, and by how many periods their second ends are moved.
+py::tuple edges_in_box(const Numbers& simplices, const py::object& offsets, std::size_t n,
+                       std::size_t threads)
+{
+  const Simplices tetrahedra(simplices, offsets, n);
+  if (tetrahedra.corners != 4 || tetrahedra.offsets.empty() != tetrahedra.points.empty())
+    throw py::value_error("simplices: expected tetrahedra with offsets");
+  std::vector<Index> ends, moved;
+  {
+    const python::Unlocked unlocked;
+    const python::Interruptible_executor executor(threads);
+    const auto vertex_of = [&](std::size_t k) {
+      if (k % (1 << 16) == 0)
+        executor.interruption_point();
+      return std::size_t(tetrahedra.points[k]);
+    };
+    const core::Lists<std::uint32_t> corners = core::in_lists<std::uint32_t>(
+        n,
+        core::Listed_items(tetrahedra.points.size(), vertex_of,
+                           [](std::size_t k) { return std::uint32_t(k); }),
+        executor);
+    std::vector<std::vector<Edge_in_box>> found(core::number_of_blocks(executor, n, 4096));
+    core::for_each_block(executor, n, found.size(),
+                         [&](std::size_t first, std::size_t last, std::size_t b) {
+                           core::Steps step(executor);
+                           for (std::size_t v = first; v < last; ++v, step())
+                             add_edges(tetrahedra, corners.begin(v), corners.end(v), found[b]);
+                         });
+    for (const std::vector<Edge_in_box>& edges : found)
+      for (const Edge_in_box& edge : edges) {
+        ends.insert(ends.end(), edge.begin(), edge.begin() + 2);
+        moved.insert(moved.end(), edge.begin() + 2, edge.end());
+      }
+  }
+  const auto number = py::ssize_t(ends.size() / 2);
+  return py::make_tuple(python::array_from(std::move(ends), {number, 2}),
+                        python::array_from(std::move(moved), {number, 3}));
+}
+
 } // namespace
 
 void python::define_learning(py::module_& m)
 {
+  m.def("edges_in_box", &edges_in_box);
   m.def("changed_simplices", &changed_simplices);
 }

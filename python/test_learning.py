@@ -489,9 +489,10 @@ class Motion(unittest.TestCase):
 
     def test_edges_in_a_box(self):
         """They are those of the Voronoi diagram, one by one, which is not made for them."""
-        for n, scale in ((3, 0), (60, .05), (300, 0)):
+        for n, scale in ((1, 0), (3, 0), (60, .05), (9000, 0)):
             points = random_points(n) + np.random.default_rng(n).integers(-2, 3, (n, 3))
-            made = dfs.delaunay3(points, box=(1, None, .9), weights=scale * random_points(n)[:, 0])
+            made = dfs.delaunay3(points, box=(1, None if n > 1 else 1, .9), weights=scale * random_points(n)[:, 0],
+                                 threads=3)
             edges, offsets = made.edges, made.edge_offsets
             self.assertNotIn("_diagram", vars(made))
             facets = made.power_facets
@@ -504,6 +505,9 @@ class Motion(unittest.TestCase):
             core.changed_simplices(cells, None, cells, None, 5, 1)
         with self.assertRaisesRegex(ValueError, "offsets: expected three for each corner"):
             core.changed_simplices(cells, np.zeros(5, dtype=np.int16), cells, None, 20, 1)
+        for wrong, offsets in ((cells[:, :3], np.zeros((len(cells), 3, 3))), (cells, None)):
+            with self.assertRaisesRegex(ValueError, "simplices: expected tetrahedra with offsets"):
+                core.edges_in_box(np.ascontiguousarray(wrong), offsets, 20, 1)
         with self.assertRaisesRegex(ValueError, "simplices: expected an array of shape"):
             core.changed_simplices(np.zeros((3, 5), dtype=np.int32), None, np.zeros((3, 5), dtype=np.int32), None, 20,
                                    1)

@@ -202,8 +202,7 @@ class Periodic3(Delaunay3):
         """The edges and their offsets, without what the Voronoi diagram has beside them."""
         if self.nsimplex == 0:
             return np.zeros((0, 2), dtype=np.int32), np.zeros((0, 3), dtype=np.int32)
-        edges, offsets, _, _ = self._faces(None, 0, has_values=False)[1]
-        return edges, offsets[:, 1].copy()
+        return _core.edges_in_box(self.simplices, self.offsets, self.npoints, self._threads)
 
     @property
     def edges(self) -> Indices:
