@@ -75,7 +75,9 @@ class View(ProgramCase):
     def test_less_than_a_closed_surface(self):
         """A soup has no inside and no subgraph, points alone have no surface; polygons become triangles."""
         self.write("points.xyz", *TETRAHEDRON[2:6])
-        self.assertEqual(set(arrays_of(self.page("points.xyz"))), {"points", "tetrahedra"})
+        arrays = arrays_of(self.page("points.xyz"))
+        self.assertEqual(set(arrays), {"points", "tetrahedra", "hull"})
+        self.assertEqual(sorted(arrays["hull"]), [0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3])
         self.write("soup.off", "OFF", "5 3 0", *TETRAHEDRON[2:6], "-1 -1 -1", "3 0 1 2", "3 0 1 3", "4 0 1 2 4")
         arrays = arrays_of(self.page("soup.off"))
         self.assertTrue({"points", "tetrahedra", "triangles"} <= set(arrays))

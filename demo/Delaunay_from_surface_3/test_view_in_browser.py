@@ -34,7 +34,7 @@ function look(name) {
   const cuts = element("cuts-surface").checked, axis = document.querySelector("[name=axis]:checked").value;
   const ground = [...pixels.slice(0, 3)];
   steps.push({name, width, height, colours: new Set(words).size, sum, cut: element("cut").textContent, reach, cuts, axis,
-    plane: Number(element("plane").value), ground});
+    plane: Number(element("plane").value), ground, link: location.hash});
 }
 </script>
 """
@@ -72,6 +72,34 @@ function use() {
   look("wheel");
 }
 use();
+</script>
+"""
+
+# Changes the view, follows the link to it, and goes back.
+LINKS = """<script>
+const press = (key, shiftKey) => document.body.dispatchEvent(new KeyboardEvent("keydown", {key, shiftKey, bubbles: true}));
+look("begin");
+element("canvas").ownerDocument.querySelector("[name=up][value=z]").click();
+look("up");
+press("j"), press("i");
+look("panned");
+press("ArrowUp", true), press("+"), press("v"), press("ArrowRight", true), press("w"), press("3");
+element("plane").value = 0.3;
+element("plane").dispatchEvent(new Event("input", {bubbles: true}));
+draw();
+press("c");
+look("moved");
+const link = location.hash;
+press("r");
+look("reset");
+setUp(link);
+press("c");
+look("again");
+setUp(location.hash);
+look("twice");
+setUp("#axis=q,1&up=w&turn=,&zoom=x&pan=1e999,0,0&plane=&rounds=q");
+draw();
+look("nonsense");
 </script>
 """
 
@@ -126,14 +154,39 @@ class ViewInBrowser(ProgramCase):
         self.assertGreater(len(set(sums)), 12)
         # The cells that the plane meets are those of the triangulation.
         arrays = arrays_of(page)
-        for name, share in (("x", 0.6), ("x 0.1", 0.1), ("x 0.4", 0.4), ("x 0.8", 0.8), ("left", 0.79)):
+        for name, share in (("x", 0.5), ("x 0.1", 0.1), ("x 0.4", 0.4), ("x 0.8", 0.8), ("left", 0.79)):
             self.assertEqual(steps[name]["cut"], f"{self.cells_cut(arrays, share):,} cells meet the plane")
 
-        # At first the surface is whole.
-        self.assertEqual([(step["cuts"], step["plane"]) for step in report["steps"][:2]], [(False, 0.6), (True, 0.6)])
+        # At first it is cut in the middle.
+        self.assertEqual((report["steps"][0]["cuts"], report["steps"][0]["plane"]), (True, 0.5))
+
+    def test_links(self):
+        """A link shows the same; without one the page is as it was at first."""
+        report = self.use(self.write_page(TORUS), LINKS, REPORT)
+        steps = report["steps"]
+        self.assertEqual(report["problems"], [])
+        sums = {step["name"]: step["sum"] for step in steps}
+        self.assertEqual({step["link"] for step in steps if step["name"] == "again"}, {steps[3]["link"]})
+        self.assertRegex(steps[3]["link"], r"#axis=-?[.\d]+,-?[.\d]+,-?[.\d]+&plane=0.3&show=surface,inside&up=z&turn=.*&rounds=\d+&whole$")
+        self.assertEqual([sums["twice"], sums["reset"], sums["nonsense"]], [sums["again"], sums["begin"], sums["begin"]])
+        cuts = {step["name"]: step["cut"] for step in steps}
+        self.assertEqual(cuts["again"], cuts["moved"])  # but for rounding, the same picture
+        self.assertEqual(len({sums[name] for name in ("begin", "up", "panned", "moved")}), 4)
+
+    def test_points_alone(self):
+        """They are dots in their hull, which is cut."""
+        self.write("points.xyz", *(f"{x} {y} {z}" for x in range(4) for y in range(5) for z in range(3)))
+        page = self.write_page("points.xyz")
+        steps = self.use(page, '<script>look("begin"); press("u"); look("whole");</script>'.replace(
+            "<script>", "<script>const press = (key) => document.body.dispatchEvent(new KeyboardEvent('keydown', "
+            "{key, bubbles: true}));"), REPORT)["steps"]
+        self.assertGreater(steps[0]["colours"], 20)
+        self.assertNotEqual(steps[0]["sum"], steps[1]["sum"])
+        self.assertRegex(page, 'id="hull"')
+        self.assertEqual(len(arrays_of(page)["hull"]), 3 * (2 * 2 * (3 * 4 + 4 * 2 + 3 * 2)))
 
     def test_nothing_is_cut_off(self):
-        """Whatever the shape of part and window, and from all sides; the plane cuts the longest side."""
+        """Whatever the shape of part and window, and from all sides; the plane faces the viewer."""
         for size in ((1, 1, 1), (9, 1, 1), (1, 9, 1), (1, 1, 9), (5, 5, 1), (1, 0.01, 2)):
             corners = [" ".join(str(s * x) for s, x in zip(size, corner)) for corner in
                        ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))]
@@ -146,7 +199,7 @@ class ViewInBrowser(ProgramCase):
                 reaches = [step["reach"] for step in report["steps"]]
                 self.assertLessEqual(max(reaches), 1, (size, window))
                 self.assertGreater(max(reaches), 0.3, (size, window))
-                self.assertEqual(size["xyz".index(report["steps"][0]["axis"])], max(size))
+                self.assertEqual(report["steps"][0]["axis"], "z")
                 self.assertGreater(report["steps"][0]["colours"], 3)
 
     def test_dark(self):

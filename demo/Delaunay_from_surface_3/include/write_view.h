@@ -52,7 +52,8 @@ constexpr std::size_t most_tetrahedra_of_view = 20000000;
 struct View
 {
   std::vector<float> points;
-  std::vector<std::uint32_t> tetrahedra, triangles, subgraph;
+  std::vector<std::uint32_t> tetrahedra, triangles, hull,
+      subgraph;                             // the hull if there is no surface
   std::vector<std::uint8_t> inside, rounds; // for each tetrahedron; for each point
 };
 
@@ -133,6 +134,10 @@ inline View make_view(const Surface& surface, const Triangulation& tr, const Ver
   view.points = centered(simplices.points);
   view.tetrahedra.assign(simplices.simplices.begin(), simplices.simplices.end());
   view.triangles = numbered(triangles_of(surface));
+  for (std::size_t c = arrays.number_of_simplices();
+       view.triangles.empty() && c < arrays.number_of_cells(); ++c)
+    for (std::size_t k = 0; k < 3; ++k)
+      view.hull.push_back(numbers[std::size_t(arrays.vertices(c)[k])]);
   view.subgraph = numbered(subgraph_of(surface));
   try {
     const CGAL::Inside_3 inside = inside_of(surface, arrays, has_threads);
@@ -203,6 +208,7 @@ inline void write_data(std::ostream& out, const std::string& name, const View& v
   write_array(out, "tetrahedra", view.tetrahedra);
   write_array(out, "inside", view.inside);
   write_array(out, "triangles", view.triangles);
+  write_array(out, "hull", view.hull);
   write_array(out, "rounds", view.rounds);
   write_array(out, "subgraph", view.subgraph);
 }

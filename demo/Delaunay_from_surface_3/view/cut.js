@@ -26,6 +26,7 @@ const points = read("points", Float32Array);        // x, y, z; the longest side
 const tetrahedra = read("tetrahedra", Uint32Array); // four points each
 const isInside = read("inside", Uint8Array);        // of each tetrahedron; none if the surface has no inside
 const triangles = read("triangles", Uint32Array);   // of the surface
+const hull = read("hull", Uint32Array);             // those of the hull, if there is no surface
 const rounds = read("rounds", Uint8Array);          // of each point, from 0; none if there is one round only
 const subgraph = read("subgraph", Uint32Array);     // two points for each edge
 
@@ -35,14 +36,6 @@ function radius() {
   for (let i = 0; i < points.length; i += 3)
     square = Math.max(square, points[i] ** 2 + points[i + 1] ** 2 + points[i + 2] ** 2);
   return Math.sqrt(square);
-}
-
-// The side of their box that is longest; of equal ones the last, which goes into the picture.
-function longestAxis() {
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  points.forEach((x, i) => { low[i % 3] = Math.min(low[i % 3], x), high[i % 3] = Math.max(high[i % 3], x); });
-  const length = (k) => high[k] - low[k];
-  return "xyz"[[2, 1, 0].reduce((a, b) => length(b) > length(a) ? b : a)];
 }
 
 // --- The plane: the points x with normal · x = offset; what lies beyond is cut off ---

@@ -3,9 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What the page that delaunay_from_surface --view writes shows, and what its user does. The program puts the
-// data, three.js, cut.js and this file into view.html. What follows # in the address sets the page up:
-//   #axis=z&plane=0.4&show=surface,inside&whole&rounds=3&turn=30,-20&zoom=1.2
-// At first the surface is whole, unless the address has a plane; as soon as that is moved it cuts the surface, too.
+// data, three.js, cut.js and this file into view.html. What follows # in the address sets the page up, and "copy link"
+// writes it; each part may be left out:
+//   axis=z       the plane's: x, y or z, or v for the view, turned towards the viewer; or 0.6,0,0.8, turned as it says
+//   plane=0.4    where it is, from 0 to 1: at 1 nothing is cut
+//   uncut        the surface is whole; whole: cells are, in place of their sections
+//   show=surface,inside,…   the layers; rounds=3: how many of them
+//   up=z         the axis that points up; turn=30,-20: by how many degrees the view is turned to the right, and up
+//   zoom=1.2, pan=0.1,0,0   what is in the middle, where the longest side of the box goes from -1 to 1
 
 "use strict";
 // --- What is shown ---
@@ -19,7 +24,7 @@ const scene = new THREE.Scene();
 const positions = new THREE.BufferAttribute(points, 3);
 
 function addLayer(id, label, object, isShown, more = {}) {
-  const layer = {id, object, ...more};
+  const layer = {id, object, isShown, ...more};
   object.visible = isShown;
   const html = `<label><input type="checkbox" id="show-${id}"><i class="swatch" style="background:var(--${id})"></i>` +
     `<span>${label}</span></label>`;
@@ -84,9 +89,16 @@ function showRounds() {
   drawSoon();
 }
 
+// Points alone are dots in their hull, which is cut like a surface.
 function addLayers() {
   if (triangles.length > 0)
     addLayer("surface", "surface", new THREE.Mesh(onPoints(triangles), new THREE.MeshPhongMaterial(faceted)), true);
+  if (hull.length > 0) {
+    addLayer("surface", "hull", new THREE.Mesh(onPoints(hull), new THREE.MeshPhongMaterial(faceted)), true);
+    const all = Uint32Array.from({length: points.length / 3}, (_, i) => i);
+    addLayer("points", "points", new THREE.Points(onPoints(all), new THREE.PointsMaterial({size: 3, sizeAttenuation: false,
+      ...clipped})), true);
+  }
   if (isInside.length > 0) {
     addCells("inside", "cells inside", 1);
     addCells("outside", "cells outside", 0);
@@ -125,11 +137,7 @@ function cutSurface() {
   drawSoon();
 }
 
-// The user's plane shows what is behind it.
-function cutFromNowOn() {
-  $("cuts-surface").checked = true;
-  cutSurface();
-}
+const toViewer = () => new THREE.Vector3(0, 0, 1).applyQuaternion(camera.quaternion);
 
 function turnPlane(direction) {
   setNormal(direction);
@@ -151,7 +159,7 @@ function paint() {
   drawSoon();
 }
 
-// --- The camera goes around the origin ---
+// --- The camera goes around what is in the middle, like a turntable: one axis always points up ---
 
 const camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
 const light = new THREE.DirectionalLight(0xffffff, 0.45);
@@ -159,21 +167,39 @@ light.position.set(-0.3, 0.5, 1);
 camera.add(light, new THREE.AmbientLight(0xffffff, 0.65));
 scene.add(camera);
 let renderer, isDrawn = true;
-let distance = radius() / Math.sin(Math.PI / 12); // half the angle of view: the ball fits in all directions
+const wholeDistance = radius() / Math.sin(Math.PI / 12); // half the angle of view: the ball fits in all directions
+const fromUp = {x: [0, 0, -Math.PI / 2], y: [0, 0, 0], z: [Math.PI / 2, 0, 0]}; // what turns y up
+const view = {right: 0, up: 0, axis: "y", distance: wholeDistance, middle: new THREE.Vector3()};
 
 function turn(right, up) {
-  camera.quaternion.multiply(new THREE.Quaternion().setFromEuler(new THREE.Euler(up, right, 0)));
+  view.right += right;
+  view.up = Math.min(Math.PI / 2, Math.max(-Math.PI / 2, view.up + up));
+  camera.quaternion.setFromEuler(new THREE.Euler(...fromUp[view.axis]));
+  camera.quaternion.multiply(new THREE.Quaternion().setFromEuler(new THREE.Euler(view.up, view.right, 0, "YXZ")));
   drawSoon();
 }
 
+function chooseUp(axis) {
+  document.querySelector(`[name="up"][value="${axis}"]`).checked = true;
+  view.axis = axis;
+  turn(0, 0);
+}
+
 function zoom(factor) {
-  distance = Math.min(50, Math.max(0.3, distance / factor));
+  view.distance = Math.min(50, Math.max(0.3, view.distance / factor));
+  drawSoon();
+}
+
+// Moves what is seen, by pixels.
+function pan(right, down) {
+  const pixel = 2 * view.distance * Math.tan(camera.fov / 360 * Math.PI) / $("canvas").clientHeight;
+  view.middle.add(new THREE.Vector3(-right, down, 0).multiplyScalar(pixel).applyQuaternion(camera.quaternion)).clampLength(0, 2);
   drawSoon();
 }
 
 function draw() {
   isDrawn = true;
-  camera.position.set(0, 0, distance).applyQuaternion(camera.quaternion);
+  camera.position.set(0, 0, view.distance).applyQuaternion(camera.quaternion).add(view.middle);
   renderer.render(scene, camera);
 }
 
@@ -196,54 +222,61 @@ function drawSoon() {
 
 // --- What the user does ---
 
-// The plane faces the viewer, so that what is cut open can be seen.
+const axes = {x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1]};
+
+// Of the section along it most is seen.
+function facingAxis() {
+  const viewer = toViewer();
+  return "xyz"[[2, 1, 0].reduce((a, b) => Math.abs(viewer.getComponent(b)) > Math.abs(viewer.getComponent(a)) ? b : a)];
+}
+
+// The plane faces the viewer, so that what is cut open can be seen, unless the name says how it is turned.
 function chooseAxis(name) {
-  document.querySelector(`[name="axis"][value="${name}"]`).checked = true;
-  const viewer = new THREE.Vector3(0, 0, 1).applyQuaternion(camera.quaternion);
-  const axis = {x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1]}[name];
-  const direction = axis ? new THREE.Vector3(...axis) : viewer;
-  turnPlane(direction.dot(viewer) < 0 ? direction.negate() : direction);
+  const given = name.includes(",") ? name.split(",").map(Number) : axes[name];
+  const direction = given ? new THREE.Vector3(...given) : toViewer();
+  turnPlane(axes[name] && direction.dot(toViewer()) < 0 ? direction.negate() : direction);
+  const axis = Object.keys(axes).find((key) => axes[key].every((x, k) => x === Math.abs(normal.getComponent(k))));
+  document.querySelector(`[name="axis"][value="${axis || "v"}"]`).checked = true;
 }
 
 function flipPlane() {
-  cutFromNowOn();
   $("plane").value = 1 - Number($("plane").value);
   turnPlane(normal.clone().negate());
 }
 
 function step(by) {
-  cutFromNowOn();
   $("plane").value = Number($("plane").value) + by;
   movePlane();
 }
 
-function cutAlong(axis) {
-  cutFromNowOn();
-  chooseAxis(axis);
-}
-
-const keys = {x: () => cutAlong("x"), y: () => cutAlong("y"), z: () => cutAlong("z"), v: () => cutAlong("v"),
-  f: flipPlane, w: () => $("whole").click(), ArrowLeft: () => step(-0.01), ArrowRight: () => step(0.01)};
+const keys = {x: () => chooseAxis("x"), y: () => chooseAxis("y"), z: () => chooseAxis("z"), v: () => chooseAxis("v"),
+  f: flipPlane, w: () => $("whole").click(), u: () => $("cuts-surface").click(), r: () => setUp(""), c: copyLink,
+  ArrowLeft: () => step(-0.01), ArrowRight: () => step(0.01), "+": () => zoom(1.1), "-": () => zoom(1 / 1.1),
+  i: () => pan(0, -20), k: () => pan(0, 20), j: () => pan(-20, 0), l: () => pan(20, 0)};
+const keysWithShift = {ArrowLeft: () => turn(-0.1, 0), ArrowRight: () => turn(0.1, 0), ArrowUp: () => turn(0, -0.1),
+  ArrowDown: () => turn(0, 0.1)};
 
 function pressKey(event) {
   const isForInput = event.target.matches("input[type=range], input[type=radio]") && event.key.startsWith("Arrow");
   if (event.ctrlKey || event.altKey || event.metaKey || isForInput)
     return;
-  if (keys[event.key])
-    keys[event.key]();
+  const does = (event.shiftKey && keysWithShift[event.key]) || keys[event.key];
+  if (does)
+    does();
   else if (layers[event.key - 1])
     $(`show-${layers[event.key - 1].id}`).click();
 }
 
-// One pointer turns, two zoom.
+// One pointer turns; with shift, or another button than the first, it moves what is seen; two zoom and move.
 function followPointers(canvas) {
   const pointers = new Map();
   const spread = () => {
     const [p, q] = [...pointers.values()];
     return Math.hypot(p.x - q.x, p.y - q.y);
   };
+  canvas.addEventListener("contextmenu", (event) => event.preventDefault());
   canvas.addEventListener("pointerdown", (event) => {
-    pointers.set(event.pointerId, {x: event.clientX, y: event.clientY});
+    pointers.set(event.pointerId, {x: event.clientX, y: event.clientY, pans: event.shiftKey || event.button > 0});
   });
   window.addEventListener("pointermove", (event) => {
     const pointer = pointers.get(event.pointerId);
@@ -251,10 +284,13 @@ function followPointers(canvas) {
       return;
     const before = {...pointer}, wide = pointers.size === 2 ? spread() : 0;
     Object.assign(pointer, {x: event.clientX, y: event.clientY});
+    const right = pointer.x - before.x, down = pointer.y - before.y;
     if (pointers.size === 2)
-      zoom(spread() / wide);
+      zoom(spread() / wide), pan(right / 2, down / 2);
+    else if (pointer.pans)
+      pan(right, down);
     else
-      turn(-0.008 * (pointer.x - before.x), -0.008 * (pointer.y - before.y));
+      turn(-0.008 * right, -0.008 * down);
   });
   for (const name of ["pointerup", "pointercancel"])
     window.addEventListener(name, (event) => pointers.delete(event.pointerId));
@@ -267,14 +303,18 @@ function followPointers(canvas) {
 function listen() {
   let isWaiting = false; // cut once a frame, however fast the slider moves
   $("plane").addEventListener("input", () => {
-    cutFromNowOn();
     if (!isWaiting)
       isWaiting = true, requestAnimationFrame(() => { isWaiting = false, movePlane(); });
   });
   $("whole").addEventListener("change", movePlane);
   $("cuts-surface").addEventListener("change", cutSurface);
   for (const input of document.querySelectorAll("[name=axis]"))
-    input.addEventListener("change", () => cutAlong(input.value));
+    input.addEventListener("change", () => chooseAxis(input.value));
+  for (const input of document.querySelectorAll("[name=up]"))
+    input.addEventListener("change", () => chooseUp(input.value));
+  $("reset").addEventListener("click", () => setUp(""));
+  $("copy").addEventListener("click", copyLink);
+  window.addEventListener("hashchange", () => setUp(location.hash));
   window.addEventListener("keydown", pressKey);
   followPointers($("canvas"));
   new ResizeObserver(() => { fitWindow(), draw(); }).observe($("canvas")); // which has cleared it: no frame may come between
@@ -286,24 +326,51 @@ function listen() {
 
 // --- The beginning ---
 
-// What the address asks for.
-function setUp() {
-  const wishes = new URLSearchParams(location.hash.slice(1));
-  const [right, up] = (wishes.get("turn") || "30,-20").split(",").map((degrees) => degrees * Math.PI / 180);
-  turn(right, 0), turn(0, up);
-  zoom(Number(wishes.get("zoom") || 1));
-  if (wishes.has("show"))
-    for (const {id, object} of layers)
-      $(`show-${id}`).checked = object.visible = wishes.get("show").split(",").includes(id);
+// What the address asks for, or what is shown without any wishes: cut in the middle.
+function setUp(hash) {
+  const wishes = new URLSearchParams(hash.slice(1));
+  const numbers = (name, ...usual) => {
+    const given = (wishes.get(name) || "").split(",").map(parseFloat);
+    return given.length === usual.length && given.every(Number.isFinite) ? given : usual;
+  };
+  const [right, up] = numbers("turn", 30, -20).map((degrees) => degrees * Math.PI / 180);
+  view.right = view.up = 0;
+  chooseUp(axes[wishes.get("up")] ? wishes.get("up") : "y");
+  turn(right, up);
+  view.distance = wholeDistance;
+  zoom(numbers("zoom", 1)[0]);
+  view.middle.set(...numbers("pan", 0, 0, 0)).clampLength(0, 2);
+  for (const {id, object, isShown} of layers)
+    $(`show-${id}`).checked = object.visible = wishes.has("show") ? wishes.get("show").split(",").includes(id) : isShown;
   $("whole").checked = wishes.has("whole");
-  $("plane").value = wishes.get("plane") || 0.6;
-  $("cuts-surface").checked = wishes.has("plane");
+  $("plane").value = numbers("plane", 0.5)[0];
+  $("cuts-surface").checked = !wishes.has("uncut");
   cutSurface();
   if (rounds.length > 0) {
-    $("rounds-shown").value = wishes.get("rounds") || $("rounds-shown").max;
+    $("rounds-shown").value = numbers("rounds", Number($("rounds-shown").max))[0];
     showRounds();
   }
-  chooseAxis(wishes.get("axis") || longestAxis());
+  const axis = wishes.get("axis") || "";
+  chooseAxis(axes[axis] || axis === "v" ? axis : numbers("axis", 0, 0, 0).some(Boolean) ? axis : facingAxis());
+}
+
+// The part of the address that sets up what is seen now.
+function wishes() {
+  const short = (x) => String(Number(x.toFixed(3))), degrees = (angle) => short(angle * 180 / Math.PI);
+  const axis = document.querySelector("[name=axis]:checked").value, isUsual = axes[axis] && normal.dot(toViewer()) >= 0;
+  const parts = [`axis=${isUsual ? axis : normal.toArray().map(short).join()}`, `plane=${$("plane").value}`, `show=${layers.filter(({object}) => object.visible).map(({id}) => id).join()}`,
+    `up=${view.axis}`, `turn=${degrees(view.right)},${degrees(view.up)}`, `zoom=${short(wholeDistance / view.distance)}`,
+    `pan=${view.middle.toArray().map(short).join()}`];
+  if (rounds.length > 0)
+    parts.push(`rounds=${$("rounds-shown").value}`);
+  return parts.concat($("whole").checked ? ["whole"] : [], $("cuts-surface").checked ? [] : ["uncut"]).join("&");
+}
+
+function copyLink() {
+  history.replaceState(null, "", `#${wishes()}`);
+  const tell = (text) => { $("copied").textContent = text; };
+  const copied = navigator.clipboard ? navigator.clipboard.writeText(location.href) : Promise.reject();
+  copied.then(() => tell("copied"), () => tell("it is the address of this page now"));
 }
 
 function begin() {
@@ -316,7 +383,7 @@ function begin() {
   renderer.localClippingEnabled = true;
   addLayers();
   paint();
-  setUp();
+  setUp(location.hash);
   fitWindow();
   draw();
   listen();
