@@ -87,6 +87,9 @@ public:
       throw std::invalid_argument("neighbors: expected four for each tetrahedron");
   }
 
+  static constexpr bool has_weights =
+      core::is_weighted<decltype(core::place_of(std::declval<const CornerOf&>()(0, 0, 0)))>;
+
   std::size_t size() const { return m_vertices.size(); }
   std::size_t number_of_points() const { return m_n; }
   Index vertex(std::size_t c, std::size_t k) const { return m_vertices.number(c, k, m_n); }
@@ -109,6 +112,31 @@ public:
     if (d >= 0 && std::size_t(d) >= size())
       refuse_neighbors();
     return d;
+  }
+
+  // Calls f(corners) with those from the k-th on, in an order of the same orientation: the j-th is j ^ k.
+  template <class F>
+  auto with_corners_from(std::size_t c, std::size_t k, const F& f) const
+  {
+    const decltype(corner(c, 0)) corners[4] = {corner(c, k), corner(c, k ^ 1), corner(c, k ^ 2),
+                                               corner(c, k ^ 3)};
+    return f(corners);
+  }
+
+  // Returns the centre relative to corner k.
+  Vector center(std::size_t c, std::size_t k) const
+  {
+    return with_corners_from(
+        c, k, [](const auto& corners) { return core::circumsphere_of(corners).center; });
+  }
+
+  // Returns the exponent of a power of 2 in which squares and cubes are neither too large nor too small:
+  // 0 for usual coordinates.
+  int unit() const
+  {
+    int exponent;
+    std::frexp(m_corner_of.largest(), &exponent);
+    return std::abs(exponent) > 200 ? exponent : 0;
   }
 
   // Returns what lies across a facet, but not whether the centres are the same.
@@ -230,29 +258,195 @@ auto with_tetrahedra(const Points& points, const py::object& weights, const Numb
              : with_tetrahedra_of<true>(points, weights, simplices, neighbors, in_box, f);
 }
 
-// Calls take(c, shares) for each tetrahedron c in its turn. Several threads find the shares.
-template <class CornerAt, class Take>
-void for_each_share(std::size_t number, const CornerAt& corner, const core::Executor& executor,
-                    const Take& take)
+// Calls take(i, find(i)) for i = 0, …, number-1, in turn. Several threads find.
+template <class Find, class Take>
+void find_in_turn(std::size_t number, const Find& find, const core::Executor& executor,
+                  const Take& take)
 {
   constexpr std::size_t group = 1 << 14;
-  std::vector<python::Power_shares> shares((std::min)(group, number));
+  std::vector<decltype(find(0))> found((std::min)(group, number));
   for (std::size_t begin = 0; begin < number; begin += group) {
     const std::size_t size = (std::min)(group, number - begin);
     core::for_each_block(executor, size, core::number_of_blocks(executor, size, 1024),
                          [&](std::size_t first, std::size_t last, std::size_t) {
-                           for (std::size_t i = first; i < last; ++i) {
-                             const std::size_t c = begin + i;
-                             const decltype(corner(c, 0)) corners[4] = {corner(c, 0), corner(c, 1),
-                                                                        corner(c, 2), corner(c, 3)};
-                             shares[i] = python::power_shares_of(corners);
-                           }
+                           for (std::size_t i = first; i < last; ++i)
+                             found[i] = find(begin + i);
                          });
     executor.interruption_point();
     for (std::size_t i = 0; i < size; ++i)
-      take(begin + i, shares[i]);
+      take(begin + i, found[i]);
   }
 }
+
+// Measures cells by the shares of tetrahedra, as seen from the points. Where a point lies so far outside
+// of its cell that these nearly cancel each other, they are found again as seen from a point within.
+// Results do not depend on threads.
+template <class CornerOf>
+class Measure_cells
+{
+public:
+  // Keeps references.
+  Measure_cells(const Tetrahedra<CornerOf>& tetrahedra, const core::Executor& executor)
+    : m_tetrahedra(tetrahedra)
+    , m_executor(executor)
+    , m_unit(tetrahedra.unit())
+    , m_cells(tetrahedra.number_of_points())
+  {
+  }
+
+  int unit() const { return m_unit; }
+
+  // Calls take(c, shares) for each tetrahedron, and then take_again(c, k, shares) for those at cells whose
+  // shares are found again, as seen from near corner k.
+  template <class Take, class TakeAgain>
+  void measure(const Take& take, const TakeAgain& take_again)
+  {
+    const auto shares_of = [&](std::size_t c) {
+      return m_tetrahedra.with_corners_from(
+          c, 0, [&](const auto& corners) { return python::power_shares_of(corners, m_unit); });
+    };
+    find_in_turn(m_tetrahedra.size(), shares_of, m_executor,
+                 [&](std::size_t c, const python::Power_shares& shares) {
+                   take(c, shares);
+                   for (std::size_t k = 0; k < 4; ++k) {
+                     Cell& cell = m_cells[std::size_t(m_tetrahedra.vertex(c, k))];
+                     cell.volume += shares.volumes[k];
+                     cell.size += std::abs(shares.volumes[k]);
+                   }
+                 });
+    find_unbounded();
+    choose_points();
+    const auto shares_again = [&](std::size_t i) {
+      const Corner& at = m_corners[i];
+      const Vector& within = m_within[at.cell].sum;
+      return m_tetrahedra.with_corners_from(at.tetrahedron, at.corner, [&](const auto& corners) {
+        return python::power_shares_of(corners, m_unit, &within);
+      });
+    };
+    find_in_turn(m_corners.size(), shares_again, m_executor,
+                 [&](std::size_t i, const python::Power_shares& shares) {
+                   const Corner& at = m_corners[i];
+                   m_within[at.cell].volume += shares.volumes[0];
+                   take_again(at.tetrahedron, at.corner, shares);
+                 });
+  }
+
+  // Returns whether the shares of a cell were found again.
+  bool is_seen_from_within(std::size_t v) const { return m_cells[v].within != none; }
+
+  // Returns the volumes, -1 if they are unbounded.
+  std::vector<double> volumes() const
+  {
+    std::vector<double> volumes;
+    volumes.reserve(m_cells.size());
+    for (const Cell& cell : m_cells) {
+      const double volume = cell.within == none ? cell.volume : m_within[cell.within].volume;
+      volumes.push_back(cell.is_unbounded ? -1 : std::ldexp((std::max)(volume, 0.), 3 * m_unit));
+    }
+    return volumes;
+  }
+
+private:
+  static constexpr std::uint32_t none = std::uint32_t(-1);
+
+  // The sums of shares and of their absolute values.
+  struct Cell
+  {
+    double volume = 0, size = 0;
+    std::uint32_t within = none;
+    bool is_unbounded = false;
+  };
+  // A cell that is seen from within; of the centres of its tetrahedra, relative to its point, the sum,
+  // which becomes the mean, and the sum of squares.
+  struct Within
+  {
+    std::size_t number = 0;
+    Vector sum = {};
+    double squares = 0, volume = 0;
+  };
+  struct Corner
+  {
+    std::size_t tetrahedron;
+    unsigned corner;
+    std::uint32_t cell; // in m_within
+  };
+
+  void find_unbounded()
+  {
+    for (std::size_t c = 0; c < m_tetrahedra.size(); ++c)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (m_tetrahedra.neighbor(c, k) < 0)
+          for (std::size_t j = 1; j < 4; ++j)
+            m_cells[std::size_t(m_tetrahedra.vertex(c, k ^ j))].is_unbounded = true;
+  }
+
+  // Unbounded cells, too, may be far from their points if these have weights.
+  void choose_points()
+  {
+    for (Cell& cell : m_cells)
+      if (cell.is_unbounded ? m_tetrahedra.has_weights : !(cell.size <= 64 * cell.volume)) {
+        cell.within = std::uint32_t(m_within.size());
+        m_within.emplace_back();
+      }
+    if (m_within.empty())
+      return;
+    list_corners();
+    find_in_turn(
+        m_corners.size(),
+        [&](std::size_t i) {
+          return m_tetrahedra.center(m_corners[i].tetrahedron, m_corners[i].corner);
+        },
+        m_executor,
+        [&](std::size_t i, const Vector& center) {
+          Within& within = m_within[m_corners[i].cell];
+          ++within.number;
+          within.squares += core::dot(center, center);
+          for (std::size_t a = 0; a < 3; ++a)
+            within.sum[a] += center[a];
+        });
+    for (Cell& cell : m_cells)
+      if (cell.within != none && !find_mean(m_within[cell.within], cell.is_unbounded))
+        cell.within = none;
+    list_corners();
+  }
+
+  void list_corners()
+  {
+    m_corners.clear();
+    for (std::size_t c = 0; c < m_tetrahedra.size(); ++c)
+      for (unsigned k = 0; k < 4; ++k) {
+        const std::uint32_t within = m_cells[std::size_t(m_tetrahedra.vertex(c, k))].within;
+        if (within != none)
+          m_corners.push_back({c, k, within});
+      }
+  }
+
+  // Returns whether it is a place from which to see the cell: an unbounded one that is as large as the
+  // distance is seen from its point. The mean is rounded so that integers need few digits more.
+  static bool find_mean(Within& within, bool is_unbounded)
+  {
+    const auto number = double(within.number);
+    for (double& x : within.sum)
+      x /= number;
+    const double square = core::dot(within.sum, within.sum);
+    if (is_unbounded && !(within.squares / number < 65. / 64 * square))
+      return false;
+    int exponent;
+    std::frexp((std::max)({std::abs(within.sum[0]), std::abs(within.sum[1]),
+                           std::abs(within.sum[2]), std::sqrt(within.squares / number)}),
+               &exponent);
+    for (double& x : within.sum)
+      x = std::ldexp(std::rint(std::ldexp(x, 48 - exponent)), exponent - 48);
+    return std::isfinite(within.sum[0] + within.sum[1] + within.sum[2]);
+  }
+
+  const Tetrahedra<CornerOf>& m_tetrahedra;
+  const core::Executor& m_executor;
+  const int m_unit;
+  std::vector<Cell> m_cells;
+  std::vector<Within> m_within;
+  std::vector<Corner> m_corners;
+};
 
 // A tetrahedron in the ring around an edge: the ends of the edge, and the other two corners, in positive
 // orientation. The next one lies across the facet opposite to the first of these.
@@ -371,7 +565,6 @@ struct Parts
   std::vector<std::uint32_t> number_of;  // the part of each tetrahedron
   std::vector<std::uint32_t> tetrahedra; // that of each part
   std::vector<Part> parts;
-  std::vector<double> volumes; // of cells
 
   Part& of(std::size_t tetrahedron) { return parts[number_of[tetrahedron]]; }
   const Part& of(std::size_t tetrahedron) const { return parts[number_of[tetrahedron]]; }
@@ -408,25 +601,31 @@ core::Lists<std::uint32_t> sorted_by_space(const Tetrahedra<CornerOf>& tetrahedr
                                            [](std::size_t c) { return std::uint32_t(c); }));
 }
 
+// Takes areas of facets from the shares; those of a facet from its first end, if that is seen from within,
+// and else from the second if that is.
 template <class CornerOf>
-Parts parts_of(const Tetrahedra<CornerOf>& tetrahedra, const core::Executor& executor)
+Parts parts_of(const Tetrahedra<CornerOf>& tetrahedra, Measure_cells<CornerOf>& cells)
 {
   const std::size_t m = tetrahedra.size();
   Parts parts;
-  parts.volumes.resize(tetrahedra.number_of_points());
   const auto sorted = sorted_by_space(tetrahedra);
   parts.tetrahedra.assign(sorted.items.begin(), sorted.items.end());
   parts.number_of.resize(m);
   for (std::size_t i = 0; i < m; ++i)
     parts.number_of[parts.tetrahedra[i]] = std::uint32_t(i);
   parts.parts.resize(m);
-  for_each_share(
-      m, [&](std::size_t c, std::size_t k) { return tetrahedra.corner(c, k); }, executor,
+  cells.measure(
       [&](std::size_t c, const python::Power_shares& shares) {
         parts.of(c).center = shares.center;
         parts.of(c).areas = shares.areas;
-        for (std::size_t k = 0; k < 4; ++k)
-          parts.volumes[std::size_t(tetrahedra.vertex(c, k))] += shares.volumes[k];
+      },
+      [&](std::size_t c, std::size_t k, const python::Power_shares& shares) {
+        for (std::size_t j = 1; j < 4; ++j) {
+          const std::size_t edge = python::number_of_edge(k, k ^ j);
+          if (!cells.is_seen_from_within(std::size_t(tetrahedra.vertex(c, k ^ j))) ||
+              directed_step_at(tetrahedra, 6 * c + edge).at[0] == k)
+            parts.of(c).areas[edge] = shares.areas[j - 1];
+        }
       });
   return parts;
 }
@@ -569,18 +768,21 @@ py::array column_of(const std::vector<Facet>& facets, py::ssize_t entries, const
 }
 
 // Returns the volumes of the cells, and of each facet its two points, its offset in a box, its area, its
-// number of corners, and its place, where its ring is found again; volumes are those without regard to
-// the hull, and areas and corners are -1 there.
+// number of corners, and its place, where its ring is found again; all measures are -1 if they are
+// unbounded. Areas have to be multiplied by a power of 2, whose exponent comes last.
 py::tuple cell_facets(const Points& points, const py::object& weights, const Numbers& simplices,
                       const Numbers& neighbors, const py::object& in_box, std::size_t threads)
 {
   std::vector<double> volumes;
+  int exponent = 0;
   const std::vector<Facet> facets =
       with_tetrahedra(points, weights, simplices, neighbors, in_box, [&](const auto& tetrahedra) {
         const python::Interruptible_executor executor(threads);
-        Parts parts = parts_of(tetrahedra, executor);
+        Measure_cells cells(tetrahedra, executor);
+        Parts parts = parts_of(tetrahedra, cells);
+        volumes = cells.volumes();
+        exponent = 2 * cells.unit();
         find_all_across(tetrahedra, parts, executor);
-        volumes = std::move(parts.volumes);
         return facets_of(tetrahedra, parts, executor);
       });
   const auto append = [](auto& column, const auto& items) {
@@ -593,34 +795,22 @@ py::tuple cell_facets(const Points& points, const py::object& weights, const Num
       column_of<double>(facets, 1, [](const Facet& f, auto& to) { to.push_back(f.area); }),
       column_of<Index>(facets, 1, [](const Facet& f, auto& to) { to.push_back(f.corners); }),
       column_of<std::int64_t>(
-          facets, 1, [](const Facet& f, auto& to) { to.push_back(std::int64_t(f.place)); }));
+          facets, 1, [](const Facet& f, auto& to) { to.push_back(std::int64_t(f.place)); }),
+      exponent);
 }
 
-// Returns the volumes of the cells alone, without regard to the hull.
+// Returns the volumes of the cells alone.
 py::array cell_volumes(const Points& points, const py::object& weights, const Numbers& simplices,
-                       const py::object& in_box, std::size_t threads)
+                       const Numbers& neighbors, const py::object& in_box, std::size_t threads)
 {
-  const Rows rows(simplices);
-  const auto n = std::size_t(points.shape(0));
-  std::vector<double> volumes(n);
-  const auto add = [&](const auto& corner_of) {
-    const python::Unlocked unlocked;
-    const auto vertex = [&](std::size_t c, std::size_t k) {
-      return std::size_t(rows.number(c, k, n));
-    };
-    for_each_share(
-        rows.size(), [&](std::size_t c, std::size_t k) { return corner_of(c, k, vertex(c, k)); },
-        python::Interruptible_executor(threads),
-        [&](std::size_t c, const python::Power_shares& shares) {
-          for (std::size_t k = 0; k < 4; ++k)
-            volumes[vertex(c, k)] += shares.volumes[k];
-        });
-  };
-  if (weights.is_none())
-    python::with_corners_of<false>(points, weights, rows, in_box, add);
-  else
-    python::with_corners_of<true>(points, weights, rows, in_box, add);
-  return array_from(std::move(volumes), {points.shape(0)});
+  return array_from(with_tetrahedra(points, weights, simplices, neighbors, in_box,
+                                    [&](const auto& tetrahedra) {
+                                      const python::Interruptible_executor executor(threads);
+                                      Measure_cells cells(tetrahedra, executor);
+                                      cells.measure([](auto&&...) {}, [](auto&&...) {});
+                                      return cells.volumes();
+                                    }),
+                    {points.shape(0)});
 }
 
 Vector unit_vector(const Vector& v)
@@ -664,12 +854,8 @@ py::array solid_angles(const Points& points, const py::object& weights, const Nu
     core::for_each_block(executor, m, core::number_of_blocks(executor, m, 4096),
                          [&](std::size_t first, std::size_t last, std::size_t) {
                            core::Steps step(executor);
-                           for (std::size_t c = first; c < last; ++c, step()) {
-                             const decltype(tetrahedra.corner(c, 0)) corners[4] = {
-                                 tetrahedra.corner(c, 0), tetrahedra.corner(c, 1),
-                                 tetrahedra.corner(c, 2), tetrahedra.corner(c, 3)};
-                             centers[c] = core::circumsphere_of(corners).center;
-                           }
+                           for (std::size_t c = first; c < last; ++c, step())
+                             centers[c] = tetrahedra.center(c, 0);
                          });
     const auto across = [&](std::size_t c, std::size_t k) { return tetrahedra.across(c, k); };
     core::for_each_block(
@@ -807,13 +993,8 @@ py::tuple cell_polyhedron(const Points& points, const py::object& weights, const
         const auto numbered = numbers.emplace(center, numbers.size());
         if (numbered.second) {
           const std::size_t c = star.corners()[center] / 4, k = star.corners()[center] % 4;
-          const decltype(tetrahedra.corner(c, 0)) corners[4] = {
-              tetrahedra.corner(c, 0), tetrahedra.corner(c, 1), tetrahedra.corner(c, 2),
-              tetrahedra.corner(c, 3)};
-          const Vector o = core::circumsphere_of(corners).center;
-          const Vector from = tetrahedra.first_from(c, k);
-          for (std::size_t i = 0; i < 3; ++i)
-            vertices.push_back(o[i] + from[i]);
+          const Vector center = tetrahedra.center(c, k);
+          vertices.insert(vertices.end(), center.begin(), center.end());
         }
         center = numbered.first->second;
       }

@@ -13,6 +13,7 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/Find_in_box.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Copy_vertex.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -97,6 +98,16 @@ public:
   // Three for each corner.
   const std::int16_t* offsets() const { return m_offsets; }
 
+  // The largest of all numbers but weights, in absolute value.
+  double largest() const
+  {
+    double largest = *std::max_element(m_periods.lengths, m_periods.lengths + 3);
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      if (i % size < 3)
+        largest = (std::max)(largest, std::fabs(m_points[i]));
+    return largest;
+  }
+
 private:
   static constexpr std::size_t size = has_weight ? 4 : 3;
   std::vector<double> m_points;
@@ -126,6 +137,7 @@ class Corners_of_points
 public:
   Corners_of_points(const Points& points, const double* weights)
     : m_point_of{Points_view(points)}
+    , m_size(std::size_t(points.shape(0)))
     , m_weights(weights)
   {
   }
@@ -141,8 +153,18 @@ public:
 
   const std::int16_t* offsets() const { return nullptr; }
 
+  double largest() const
+  {
+    double largest = 0;
+    for (std::size_t i = 0; i < m_size; ++i)
+      for (const double x : m_point_of(i))
+        largest = (std::max)(largest, std::fabs(x));
+    return largest;
+  }
+
 private:
   const Point_of m_point_of;
+  const std::size_t m_size;
   const double* m_weights;
 };
 
