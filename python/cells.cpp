@@ -26,8 +26,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -140,9 +142,10 @@ public:
   }
 
   // Returns what lies across a facet, but not whether the centres are the same.
-  Across across(std::size_t c, std::size_t k) const
+  Across across(std::size_t c, std::size_t k) const { return across(c, k, neighbor(c, k)); }
+  // ... where the neighbour has been read.
+  Across across(std::size_t c, std::size_t k, Index d) const
   {
-    const Index d = neighbor(c, k);
     if (d < 0)
       return {};
     for (std::size_t j = 0; j < 4; ++j)
@@ -159,12 +162,31 @@ public:
   {
     const auto d = std::size_t(across.cell);
     const std::size_t j = across.corner(k), s = corner_beside(k);
-    const std::array corners = {corner(c, 0), corner(c, 1), corner(c, 2), corner(c, 3)};
-    const auto apex = moved(corner(d, j), difference(offset(c, s), offset(d, across.corner(s))));
-    const decltype(core::place_of(apex)) places[4] = {
+    const Offset by = difference(offset(c, s), offset(d, across.corner(s))), there = offset(d, j);
+    std::array corners = {corner(c, 0), corner(c, 1), corner(c, 2), corner(c, 3), corner(d, j)};
+    set_offsets(corners, {offset(c, 0), offset(c, 1), offset(c, 2), offset(c, 3),
+                          Offset{there[0] + by[0], there[1] + by[1], there[2] + by[2]}});
+    const decltype(core::place_of(corners[0])) places[4] = {
         core::place_of(corners[0]), core::place_of(corners[1]), core::place_of(corners[2]),
         core::place_of(corners[3])};
-    return core::exact_sign<core::Exact_sphere>(places, core::place_of(apex)).is_perturbed;
+    return core::exact_sign<core::Exact_sphere>(places, core::place_of(corners[4])).is_perturbed;
+  }
+
+  // Returns whether the point at corner k lies in the plane of the facet between its cell and that of
+  // corner j, exactly.
+  bool is_in_facet(std::size_t c, std::size_t k, std::size_t j) const
+  {
+    bool is_in_facet = false;
+    if constexpr (has_weights) {
+      const auto of_facet = corner(c, j);
+      const decltype(core::place_of(of_facet)) others[1] = {core::place_of(of_facet)};
+      core::measure_in_stages<1>(others, core::place_of(corner(c, k)), [&](const auto& in) {
+        const auto& power = in.rows[0].w; // of the point to the other, less that to itself
+        is_in_facet = in.rounded(power).value == 0;
+        return in.is_known(power, power);
+      });
+    }
+    return is_in_facet;
   }
 
   // Returns the position of the first corner relative to another.
@@ -213,20 +235,23 @@ private:
   }
 
   template <std::size_t size>
-  static std::array<double, size> moved(const std::array<double, size>& corner, const Offset&)
+  static void set_offsets(std::array<std::array<double, size>, 5>&, const std::array<Offset, 5>&)
   {
-    return corner;
   }
+  // Moves them all to the middle, since only differences count, and offsets of copies are short.
   template <bool has_weight>
-  static core::Copy_place<has_weight> moved(core::Copy_place<has_weight> corner, const Offset& by)
+  static void set_offsets(std::array<core::Copy_place<has_weight>, 5>& corners,
+                          const std::array<Offset, 5>& offsets)
   {
     for (std::size_t a = 0; a < 3; ++a) {
-      const int shift = corner.shift[a] + by[a];
-      if (std::abs(shift) > (std::numeric_limits<std::int16_t>::max)())
-        throw std::invalid_argument("box: a corner is more than 32767 periods away from a point");
-      corner.shift[a] = std::int16_t(shift);
+      const auto [least, most] =
+          std::minmax({offsets[0][a], offsets[1][a], offsets[2][a], offsets[3][a], offsets[4][a]});
+      if (most - least > 2 * (std::numeric_limits<std::int16_t>::max)())
+        throw std::invalid_argument(
+            "box: corners are more than 65534 periods away from each other");
+      for (std::size_t i = 0; i < 5; ++i)
+        corners[i].shift[a] = std::int16_t(offsets[i][a] - (least + most) / 2);
     }
-    return corner;
   }
 
   const Rows& m_vertices;
@@ -235,27 +260,32 @@ private:
   const CornerOf& m_corner_of;
 };
 
-// Calls f(tetrahedra), unlocked.
+// Calls f(tetrahedra), unlocked. If not all points are used, one thread may.
 template <bool has_weight, class F>
 auto with_tetrahedra_of(const Points& points, const py::object& weights, const Numbers& simplices,
-                        const Numbers& neighbors, const py::object& in_box, const F& f)
+                        const Numbers& neighbors, const py::object& in_box, bool are_all_used,
+                        const F& f)
 {
   python::refuse_obstacle();
   const Rows vertices(simplices), across(neighbors);
   return python::with_corners_of<has_weight>(
-      points, weights, vertices, in_box, [&](const auto& corner_of) {
+      points, weights, vertices, in_box,
+      [&](const auto& corner_of) {
         const python::Unlocked unlocked;
         const core::Rounding_to_nearest rounding;
         return f(Tetrahedra(vertices, across, std::size_t(points.shape(0)), corner_of));
-      });
+      },
+      are_all_used);
 }
 template <class F>
 auto with_tetrahedra(const Points& points, const py::object& weights, const Numbers& simplices,
-                     const Numbers& neighbors, const py::object& in_box, const F& f)
+                     const Numbers& neighbors, const py::object& in_box, const F& f,
+                     bool are_all_used = true)
 {
-  return weights.is_none()
-             ? with_tetrahedra_of<false>(points, weights, simplices, neighbors, in_box, f)
-             : with_tetrahedra_of<true>(points, weights, simplices, neighbors, in_box, f);
+  return weights.is_none() ? with_tetrahedra_of<false>(points, weights, simplices, neighbors,
+                                                       in_box, are_all_used, f)
+                           : with_tetrahedra_of<true>(points, weights, simplices, neighbors, in_box,
+                                                      are_all_used, f);
 }
 
 // Calls take(i, find(i)) for i = 0, …, number-1, in turn. Several threads find.
@@ -384,7 +414,7 @@ private:
   void choose_points()
   {
     for (Cell& cell : m_cells)
-      if (cell.is_unbounded ? m_tetrahedra.has_weights : !(cell.size <= 64 * cell.volume)) {
+      if (cell.is_unbounded ? m_tetrahedra.has_weights : !(cell.size <= 256 * cell.volume)) {
         cell.within = std::uint32_t(m_within.size());
         m_within.emplace_back();
       }
@@ -429,7 +459,7 @@ private:
     for (double& x : within.sum)
       x /= number;
     const double square = core::dot(within.sum, within.sum);
-    if (is_unbounded && !(within.squares / number < 65. / 64 * square))
+    if (is_unbounded && !(within.squares / number < 257. / 256 * square))
       return false;
     int exponent;
     std::frexp((std::max)({std::abs(within.sum[0]), std::abs(within.sum[1]),
@@ -490,30 +520,43 @@ Step directed_step_at(const Tetrahedra<CornerOf>& tetrahedra, std::size_t place)
 }
 
 // The tetrahedra around an edge, counterclockwise as seen from its second end.
-struct Ring
+class Ring
 {
+public:
   std::vector<Step> steps;
   bool is_closed = false;
 
-  // Finds it; one that has a step with a smaller place only if that is wanted.
-  template <class AcrossOf>
-  bool find(const Step& first, std::size_t most, const AcrossOf& across, bool from_anywhere = false)
+  // Rings of so many tetrahedra. Keeps a reference.
+  Ring(core::Steps& count, std::size_t tetrahedra)
+    : m_count(count)
+    , m_most(6 * tetrahedra)
+  {
+  }
+
+  // Finds it from this step on, and returns true unless it meets a step where it is to be left.
+  template <class AcrossOf, class IsLeft>
+  bool find(const Step& first, const AcrossOf& across, const IsLeft& is_left)
   {
     steps.clear();
     is_closed = false;
     Step step = first;
-    for (std::size_t number = 0; number <= most; ++number) {
+    for (std::size_t number = 0; number <= m_most; ++number, m_count()) {
       const Across to = across(step.cell, step.at[2]);
       step.joins_next = to.has_same_center;
       steps.push_back(step);
       if (to.cell < 0)
-        return is_first_of_open(first.turned(), most, across);
+        return meets_other_end(first.turned(), across, is_left);
       step = step.next(to);
       is_closed = step.cell == first.cell && step.at == first.at;
-      if (is_closed || (!from_anywhere && step.place() < first.place()))
+      if (is_closed || is_left(step))
         return is_closed;
     }
     refuse_neighbors();
+  }
+  template <class AcrossOf>
+  bool find(const Step& first, const AcrossOf& across)
+  {
+    return find(first, across, [](const Step&) { return false; });
   }
 
   // Returns 0 if there are less than three.
@@ -525,20 +568,22 @@ struct Ring
   }
 
 private:
-  template <class AcrossOf>
-  static bool is_first_of_open(Step step, std::size_t most, const AcrossOf& across)
+  template <class AcrossOf, class IsLeft>
+  bool meets_other_end(Step step, const AcrossOf& across, const IsLeft& is_left)
   {
-    const std::size_t place = step.place();
-    for (std::size_t number = 0; number <= most; ++number) {
+    for (std::size_t number = 0; number <= m_most; ++number, m_count()) {
       const Across to = across(step.cell, step.at[2]);
       if (to.cell < 0)
         return true;
       step = step.next(to);
-      if (step.place() < place)
+      if (is_left(step))
         return false;
     }
     refuse_neighbors();
   }
+
+  core::Steps& m_count;
+  const std::size_t m_most;
 };
 
 struct Facet
@@ -651,18 +696,19 @@ bool have_distant_centers(const Tetrahedra<CornerOf>& tetrahedra, const Parts& p
   return distance > 0x1p-40 * size + 0x1p-1000; // false if one is not finite
 }
 
-// Finds what lies across facet k of tetrahedron c, and writes it down for both.
+// Finds what lies across facet k of tetrahedron c, in tetrahedron d, and writes it down for both.
 template <class CornerOf>
-void find_across(const Tetrahedra<CornerOf>& tetrahedra, std::size_t c, std::size_t k, Parts& parts)
+void find_across(const Tetrahedra<CornerOf>& tetrahedra, std::size_t c, std::size_t k, Index d,
+                 Parts& parts)
 {
-  Across to = tetrahedra.across(c, k);
+  Across to = tetrahedra.across(c, k, d);
   to.has_same_center =
       !have_distant_centers(tetrahedra, parts, c, k, to) && tetrahedra.have_same_center(c, k, to);
   Across back = {Index(parts.number_of[c]), 0, to.has_same_center};
   for (std::size_t a = 0; a < 4; ++a)
     back.corners = static_cast<unsigned char>(back.corners | a << 2 * to.corner(a));
-  parts.of(std::size_t(to.cell)).across[to.corner(k)] = back;
-  to.cell = Index(parts.number_of[std::size_t(to.cell)]);
+  parts.of(std::size_t(d)).across[to.corner(k)] = back;
+  to.cell = Index(parts.number_of[std::size_t(d)]);
   parts.of(c).across[k] = to;
 }
 
@@ -677,8 +723,9 @@ void find_all_across(const Tetrahedra<CornerOf>& tetrahedra, Parts& parts,
                          for (std::size_t i = first; i < last; ++i, step())
                            for (std::size_t k = 0; k < 4; ++k) {
                              const std::size_t c = parts.tetrahedra[i];
-                             if (tetrahedra.neighbor(c, k) >= Index(c))
-                               find_across(tetrahedra, c, k, parts);
+                             const Index d = tetrahedra.neighbor(c, k);
+                             if (d >= Index(c))
+                               find_across(tetrahedra, c, k, d, parts);
                            }
                        });
   for (std::size_t i = 0; i < m; ++i)
@@ -711,45 +758,63 @@ Facet facet_of(const Tetrahedra<CornerOf>& tetrahedra, const Parts& parts, const
   return facet;
 }
 
+// Finds the facets whose rings have their least place from parts first to last-1. Each part of a ring is
+// walked through but once in these.
+template <class CornerOf>
+std::deque<Facet> facets_from(const Tetrahedra<CornerOf>& tetrahedra, Parts& parts,
+                              std::size_t first, std::size_t last, const core::Executor& executor)
+{
+  core::Steps count(executor);
+  Ring ring(count, tetrahedra.size());
+  std::deque<Facet> facets;
+  const auto across = [&](std::size_t c, std::size_t k) { return parts.parts[c].across[k]; };
+  const auto is_here = [&](const Step& step) { return first <= step.cell && step.cell < last; };
+  for (std::size_t place = 6 * first; place < 6 * last; ++place, count()) {
+    if (parts.parts[place / 6].is_done[place % 6])
+      continue;
+    const auto is_left = [&](const Step& step) {
+      return step.place() < place || // it is found from there, or has been
+             (is_here(step) && parts.parts[step.cell].is_done[step.edge()]);
+    };
+    if (ring.find(step_at(place), across, is_left))
+      facets.push_back(facet_of(tetrahedra, parts, ring));
+    for (const Step& step : ring.steps)
+      if (is_here(step)) // others belong to other threads, which find out again
+        parts.parts[step.cell].is_done[step.edge()] = true;
+  }
+  return facets;
+}
+
 // Returns the facets of all edges, sorted by their ends and offsets.
 template <class CornerOf>
-std::vector<Facet> facets_of(const Tetrahedra<CornerOf>& tetrahedra, Parts& parts,
+std::vector<Facet> facets_of(const Tetrahedra<CornerOf>& tetrahedra, Parts&& parts,
                              const core::Executor& executor)
 {
   const std::size_t m = tetrahedra.size(), n = tetrahedra.number_of_points();
-  const auto across = [&](std::size_t c, std::size_t k) { return parts.parts[c].across[k]; };
-  const std::size_t blocks = core::number_of_blocks(executor, m, 4096);
-  std::vector<std::vector<Facet>> found(blocks);
-  core::for_each_block(
-      executor, m, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
-        core::Steps step(executor);
-        Ring ring;
-        for (std::size_t place = 6 * first; place < 6 * last; ++place, step()) {
-          if (!parts.parts[place / 6].is_done[place % 6] &&
-              ring.find(step_at(place), 6 * m, across)) {
-            found[b].push_back(facet_of(tetrahedra, parts, ring));
-            for (const Step& of_ring : ring.steps)
-              if (of_ring.cell < last) // others belong to other threads, which find out again
-                parts.parts[of_ring.cell].is_done[of_ring.edge()] = true;
-          }
-        }
-      });
-  std::vector<Facet> facets = std::move(found[0]);
-  for (std::size_t b = 1; b < blocks; ++b)
-    facets.insert(facets.end(), found[b].begin(), found[b].end());
-  const auto lists = core::in_lists<std::uint32_t>(
-      n, core::Listed_items(
-             facets.size(), [&](std::size_t f) { return std::size_t(facets[f].ends[0]); },
-             [](std::size_t f) { return std::uint32_t(f); }));
-  std::vector<Facet> sorted;
-  sorted.reserve(facets.size());
-  for (std::size_t v = 0; v < n; ++v) {
-    const auto begin = sorted.end() - sorted.begin();
-    for (const std::uint32_t* f = lists.begin(v); f != lists.end(v); ++f)
-      sorted.push_back(facets[*f]);
-    std::sort(sorted.begin() + begin, sorted.end(), [](const Facet& f, const Facet& g) {
+  std::vector<std::deque<Facet>> found(core::number_of_blocks(executor, m, 4096));
+  core::for_each_block(executor, m, found.size(),
+                       [&](std::size_t first, std::size_t last, std::size_t b) {
+                         found[b] = facets_from(tetrahedra, parts, first, last, executor);
+                       });
+  parts = Parts(); // the memory is needed now
+  std::vector<std::size_t> ends(n + 1);
+  for (const std::deque<Facet>& of_block : found)
+    for (const Facet& facet : of_block)
+      ++ends[std::size_t(facet.ends[0]) + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<Facet> sorted(ends[n]);
+  for (std::deque<Facet>& of_block : found) {
+    for (const Facet& facet : of_block)
+      sorted[ends[std::size_t(facet.ends[0])]++] = facet;
+    of_block = {};
+  }
+  auto begin = sorted.begin();
+  for (std::size_t v = 0; v < n; ++v) { // ends[v] is that of its list now
+    const auto end = sorted.begin() + std::ptrdiff_t(ends[v]);
+    std::sort(begin, end, [](const Facet& f, const Facet& g) {
       return std::tie(f.ends[1], f.offset) < std::tie(g.ends[1], g.offset);
     });
+    begin = end;
   }
   return sorted;
 }
@@ -783,7 +848,7 @@ py::tuple cell_facets(const Points& points, const py::object& weights, const Num
         volumes = cells.volumes();
         exponent = 2 * cells.unit();
         find_all_across(tetrahedra, parts, executor);
-        return facets_of(tetrahedra, parts, executor);
+        return facets_of(tetrahedra, std::move(parts), executor);
       });
   const auto append = [](auto& column, const auto& items) {
     column.insert(column.end(), items.begin(), items.end());
@@ -813,9 +878,12 @@ py::array cell_volumes(const Points& points, const py::object& weights, const Nu
                     {points.shape(0)});
 }
 
+// Returns 0 for 0: if a corner of a facet is rounded to the point from which it is seen.
 Vector unit_vector(const Vector& v)
 {
   const double size = (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  if (size == 0)
+    return v;
   const Vector near_1 = {v[0] / size, v[1] / size, v[2] / size};
   const double length = std::sqrt(core::dot(near_1, near_1));
   return {near_1[0] / length, near_1[1] / length, near_1[2] / length};
@@ -838,7 +906,8 @@ double solid_angle_of(const std::vector<Vector>& polygon)
   return 2 * half;
 }
 
-// Returns the solid angles of facets, given by their places, from either end; -1 if they are unbounded.
+// Returns the solid angles of facets, given by their places, from either end; -1 if they are unbounded,
+// and 0 from a point in their plane.
 py::array solid_angles(const Points& points, const py::object& weights, const Numbers& simplices,
                        const Numbers& neighbors, const py::object& in_box,
                        const py::array_t<std::int64_t, py::array::c_style>& places,
@@ -861,14 +930,18 @@ py::array solid_angles(const Points& points, const py::object& weights, const Nu
     core::for_each_block(
         executor, number, core::number_of_blocks(executor, number, 4096),
         [&](std::size_t first, std::size_t last, std::size_t) {
-          core::Steps step(executor);
-          Ring ring;
+          core::Steps count(executor);
+          Ring ring(count, m);
           std::vector<Vector> polygon;
-          for (std::size_t f = first; f < last; ++f, step()) {
+          for (std::size_t f = first; f < last; ++f) {
             if (place[f] < 0 || std::size_t(place[f]) >= 6 * m)
               throw std::out_of_range("places: there is no such edge");
-            ring.find(directed_step_at(tetrahedra, std::size_t(place[f])), 6 * m, across, true);
+            const Step start = directed_step_at(tetrahedra, std::size_t(place[f]));
+            ring.find(start, across);
             for (std::size_t end = 0; end < 2 && ring.is_closed; ++end) {
+              angles[2 * f + end] = 0;
+              if (tetrahedra.is_in_facet(start.cell, start.at[end], start.at[1 - end]))
+                continue;
               polygon.clear();
               for (const Step& s : ring.steps) {
                 const Vector from = tetrahedra.first_from(s.cell, s.at[end]);
@@ -889,11 +962,12 @@ class Star
 public:
   // Throws if the vertex is at the hull.
   template <class CornerOf>
-  Star(const Tetrahedra<CornerOf>& tetrahedra, std::size_t cell, std::size_t corner)
+  Star(const Tetrahedra<CornerOf>& tetrahedra, std::size_t cell, std::size_t corner,
+       core::Steps& count)
   {
     add(4 * cell + corner);
     std::vector<std::array<std::size_t, 2>> same;
-    for (std::size_t i = 0; i < m_corners.size(); ++i) {
+    for (std::size_t i = 0; i < m_corners.size(); ++i, count()) {
       const std::size_t c = m_corners[i] / 4, at = m_corners[i] % 4;
       for (std::size_t k = 0; k < 4; ++k)
         if (k != at) {
@@ -910,6 +984,7 @@ public:
       sets.unite(pair[0], pair[1]);
     for (std::size_t i = 0; i < m_corners.size(); ++i)
       m_centers.push_back(sets.root(i));
+    m_are_marked.resize(m_corners.size());
   }
 
   // Each is four times a tetrahedron, plus the corner that is the vertex.
@@ -919,6 +994,13 @@ public:
   std::size_t center(const Step& step) const
   {
     return m_centers[m_numbers.at(4 * step.cell + step.at[0])];
+  }
+
+  // Marks the edge of a step, from the vertex, and returns whether it was not marked.
+  bool mark(const Step& step)
+  {
+    bool& is_marked = m_are_marked[m_numbers.at(4 * step.cell + step.at[0])][step.at[1]];
+    return !std::exchange(is_marked, true);
   }
 
 private:
@@ -931,6 +1013,7 @@ private:
   }
 
   std::vector<std::size_t> m_corners, m_centers;
+  std::vector<std::array<bool, 4>> m_are_marked;
   std::map<std::size_t, std::size_t> m_numbers;
 };
 
@@ -943,12 +1026,13 @@ struct Face
   std::vector<std::size_t> centers;
 };
 
+// Marks the edges of the star.
 template <class CornerOf>
-std::vector<Face> faces_of(const Tetrahedra<CornerOf>& tetrahedra, const Star& star)
+std::vector<Face> faces_of(const Tetrahedra<CornerOf>& tetrahedra, Star& star, core::Steps& count)
 {
   const auto across = [&](std::size_t c, std::size_t k) { return tetrahedra.across(c, k); };
   std::vector<Face> faces;
-  Ring ring;
+  Ring ring(count, tetrahedra.size());
   for (const std::size_t corner : star.corners())
     for (std::size_t j = 0; j < 4; ++j) {
       const std::size_t c = corner / 4, k = corner % 4;
@@ -957,14 +1041,17 @@ std::vector<Face> faces_of(const Tetrahedra<CornerOf>& tetrahedra, const Star& s
       Step first = step_at(6 * c + python::number_of_edge(j, k));
       if (first.at[0] != k)
         first = first.turned();
-      if (!ring.find(first, 6 * tetrahedra.size(), across))
+      if (!star.mark(first))
         continue;
+      ring.find(first, across);
       Face face = {tetrahedra.vertex(c, j),
                    tetrahedra.difference(tetrahedra.offset(c, j), tetrahedra.offset(c, k)),
                    {}};
-      for (const Step& step : ring.steps)
+      for (const Step& step : ring.steps) {
+        star.mark(step);
         if (face.centers.empty() || star.center(step) != face.centers.back())
           face.centers.push_back(star.center(step));
+      }
       if (face.centers.front() == face.centers.back())
         face.centers.pop_back();
       if (face.centers.size() > 2)
@@ -984,21 +1071,26 @@ py::tuple cell_polyhedron(const Points& points, const py::object& weights, const
 {
   std::vector<double> vertices;
   std::vector<Face> faces;
-  with_tetrahedra(points, weights, simplices, neighbors, in_box, [&](const auto& tetrahedra) {
-    const Star star(tetrahedra, simplex, corner);
-    faces = faces_of(tetrahedra, star);
-    std::map<std::size_t, std::size_t> numbers;
-    for (Face& face : faces)
-      for (std::size_t& center : face.centers) {
-        const auto numbered = numbers.emplace(center, numbers.size());
-        if (numbered.second) {
-          const std::size_t c = star.corners()[center] / 4, k = star.corners()[center] % 4;
-          const Vector center = tetrahedra.center(c, k);
-          vertices.insert(vertices.end(), center.begin(), center.end());
-        }
-        center = numbered.first->second;
-      }
-  });
+  with_tetrahedra(
+      points, weights, simplices, neighbors, in_box,
+      [&](const auto& tetrahedra) {
+        const python::Interruptible_executor executor(1);
+        core::Steps count(executor);
+        Star star(tetrahedra, simplex, corner, count);
+        faces = faces_of(tetrahedra, star, count);
+        std::map<std::size_t, std::size_t> numbers;
+        for (Face& face : faces)
+          for (std::size_t& center : face.centers) {
+            const auto numbered = numbers.emplace(center, numbers.size());
+            if (numbered.second) {
+              const std::size_t c = star.corners()[center] / 4, k = star.corners()[center] % 4;
+              const Vector center = tetrahedra.center(c, k);
+              vertices.insert(vertices.end(), center.begin(), center.end());
+            }
+            center = numbered.first->second;
+          }
+      },
+      false);
   py::list lists;
   std::vector<Index> beyond, offsets;
   for (const Face& face : faces) {

@@ -11,6 +11,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -220,6 +221,46 @@ class Cells(unittest.TestCase):
             self.assertGreater(np.count_nonzero(is_bounded), 0)
             self.assertTrue((ours.power_volumes[is_bounded] >= 0).all())
             self.assertLess(ours.power_volumes[is_bounded].max(), 1e-14)
+
+    def test_points_in_planes_of_facets(self):
+        """From a point in the plane of a facet its solid angle is 0, also where the point is a corner or on an edge."""
+        points = np.array(list(itertools.product(range(5), repeat=3)), dtype=float)
+        for move, share, number in (((.5, .5, .5), 1 / 8, 3), ((.5, .5, 0), 1 / 4, 4), ((.5, 0, 0), 1 / 2, 5)):
+            ours = dfs.delaunay3(points + move, weights=2 * (points @ move))
+            ends, angles = ours.power_facets.points, ours.solid_angles
+            self.assertTrue(np.isfinite(angles).all())
+            of_center = angles[(ends == 62) & (ours.facet_corners > 0)[:, None]]
+            self.assertAlmostEqual(of_center.sum() / (4 * np.pi), share, 12)
+            self.assertEqual([np.count_nonzero(of_center == 0), np.count_nonzero(of_center > .1)], [6 - number, number])
+            self.assertEqual(ours.coordination(min_solid_angle=.1)[62], number)
+        points, _ = crystal("bcc", 4)
+        ours = dfs.delaunay3(points, weights=np.where(np.arange(len(points)) % 2 == 1, -3., 0))
+        self.assertTrue(np.isfinite(ours.solid_angles).all())
+
+    def test_copies_far_apart(self):
+        """Points given 20000 and 40000 periods away: tetrahedra have no larger offsets than that, but two together have."""
+        points = np.array(list(itertools.product(range(4), range(4), range(12))), dtype=float)
+        near = dfs.delaunay3(points, box=(4, 4, None))
+        points[:, 0] += 4 * 20000 * (np.sign(points[:, 2] - 6) + 1)
+        far = dfs.delaunay3(points, box=(4, 4, None))
+        self.assertEqual(set(far.facet_corners), {-1, 0, 4})
+        for i in np.flatnonzero(near.voronoi_volumes > 0):
+            self.assertEqual(len(far.voronoi_cell(i).faces), 6)
+
+    def test_many_facets(self):
+        """Of a point with 20000 neighbours, in whatever order the tetrahedra are: linear."""
+        angles = np.arange(20000) * (2 * np.pi / 20000)
+        ring = np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=1)
+        far = [[0, 0, 50], [0, 0, -50], [50, 0, 0], [-50, 30, 0], [-40, -50, 3]]
+        points = np.concatenate([[[0, 0, .1], [0, 0, -.1]], ring, far])
+        ours = dfs.delaunay3(points)
+        simplices = ours.simplices[np.argsort(-ours.simplices.max(axis=1), kind="stable")]
+        sorted_ones = dfs.Delaunay3(points, simplices, None, ours.vertices, 3, 1)
+        many = dfs.Delaunay3(points, simplices, sorted_ones.neighbors, ours.vertices, 3, 16)
+        start = time.process_time()
+        cell = sorted_ones.voronoi_cell(0)
+        self.assertEqual(len(cell.faces), np.count_nonzero(many.facet_corners[(many.voronoi_facets.points == 0).any(axis=1)]))
+        self.assertLess(time.process_time() - start, 5)
 
     def test_rounding_of_caller(self):
         """Measures do not depend on how the caller's thread rounds."""
