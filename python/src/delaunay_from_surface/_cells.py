@@ -144,8 +144,8 @@ class Cells:
     def solid_angles(self) -> Reals:
         """(k, 2) float64: the solid angles of these facets as seen from the first and from the second point; -1 where
         the facets are unbounded. Those of a bounded Voronoi cell add up to 4 pi. With weights a point may lie beyond a
-        facet of its cell, whose angle is negative then, and for points outside of their cells they add up to 0. If the
-        point lies in the facet, rounding decides. (Van Oosterom, Strackee 1983)"""
+        facet of its cell, whose angle is negative then, and for points outside of their cells they add up to 0. From a point
+        in the plane of a facet, which is decided exactly, its angle is 0. (Van Oosterom, Strackee 1983)"""
         self._needs_space("solid_angles")
         _, _, _, _, corners, places, _ = self._diagram
         angles = _core.solid_angles(*self._tetrahedra, places, self._threads)
@@ -179,7 +179,7 @@ class Cells:
             counts &= areas[:, None] >= min_area * self._scaled_areas_of_cells[ends]
         if min_solid_angle > 0:
             largest = np.zeros(self.npoints)
-            np.maximum.at(largest, ends, self.solid_angles)
+            np.fmax.at(largest, ends, self.solid_angles)
             counts &= self.solid_angles >= min_solid_angle * largest[ends]
         sums = np.bincount(ends[counts], minlength=self.npoints).astype(np.int32)
         sums[self.convex_hull] = -1
