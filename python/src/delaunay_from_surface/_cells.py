@@ -94,7 +94,9 @@ class Cells:
         """Volumes; of each facet the points, offset in a box, area, number of corners, and place; and the exponent of the
         power of 2 that is the unit of the areas."""
         diagram = _core.cell_facets(*self._tetrahedra, self._threads)
-        return (*map(_read_only, diagram[:-1]), diagram[-1])
+        for array in diagram[:-1]:
+            _read_only(array)
+        return diagram
 
     @cached_property
     def _volumes_of_cells(self) -> Reals:
