@@ -26,8 +26,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -87,6 +89,9 @@ public:
       throw std::invalid_argument("neighbors: expected four for each tetrahedron");
   }
 
+  static constexpr bool has_weights =
+      core::is_weighted<decltype(core::place_of(std::declval<const CornerOf&>()(0, 0, 0)))>;
+
   std::size_t size() const { return m_vertices.size(); }
   std::size_t number_of_points() const { return m_n; }
   Index vertex(std::size_t c, std::size_t k) const { return m_vertices.number(c, k, m_n); }
@@ -111,10 +116,36 @@ public:
     return d;
   }
 
-  // Returns what lies across a facet, but not whether the centres are the same.
-  Across across(std::size_t c, std::size_t k) const
+  // Calls f(corners) with those from the k-th on, in an order of the same orientation: the j-th is j ^ k.
+  template <class F>
+  auto with_corners_from(std::size_t c, std::size_t k, const F& f) const
   {
-    const Index d = neighbor(c, k);
+    const decltype(corner(c, 0)) corners[4] = {corner(c, k), corner(c, k ^ 1), corner(c, k ^ 2),
+                                               corner(c, k ^ 3)};
+    return f(corners);
+  }
+
+  // Returns the centre relative to corner k.
+  Vector center(std::size_t c, std::size_t k) const
+  {
+    return with_corners_from(
+        c, k, [](const auto& corners) { return core::circumsphere_of(corners).center; });
+  }
+
+  // Returns the exponent of a power of 2 in which squares and cubes are neither too large nor too small:
+  // 0 for usual coordinates.
+  int unit() const
+  {
+    int exponent;
+    std::frexp(m_corner_of.largest(), &exponent);
+    return std::abs(exponent) > 200 ? exponent : 0;
+  }
+
+  // Returns what lies across a facet, but not whether the centres are the same.
+  Across across(std::size_t c, std::size_t k) const { return across(c, k, neighbor(c, k)); }
+  // ... where the neighbour has been read.
+  Across across(std::size_t c, std::size_t k, Index d) const
+  {
     if (d < 0)
       return {};
     for (std::size_t j = 0; j < 4; ++j)
@@ -131,12 +162,31 @@ public:
   {
     const auto d = std::size_t(across.cell);
     const std::size_t j = across.corner(k), s = corner_beside(k);
-    const std::array corners = {corner(c, 0), corner(c, 1), corner(c, 2), corner(c, 3)};
-    const auto apex = moved(corner(d, j), difference(offset(c, s), offset(d, across.corner(s))));
-    const decltype(core::place_of(apex)) places[4] = {
+    const Offset by = difference(offset(c, s), offset(d, across.corner(s))), there = offset(d, j);
+    std::array corners = {corner(c, 0), corner(c, 1), corner(c, 2), corner(c, 3), corner(d, j)};
+    set_offsets(corners, {offset(c, 0), offset(c, 1), offset(c, 2), offset(c, 3),
+                          Offset{there[0] + by[0], there[1] + by[1], there[2] + by[2]}});
+    const decltype(core::place_of(corners[0])) places[4] = {
         core::place_of(corners[0]), core::place_of(corners[1]), core::place_of(corners[2]),
         core::place_of(corners[3])};
-    return core::exact_sign<core::Exact_sphere>(places, core::place_of(apex)).is_perturbed;
+    return core::exact_sign<core::Exact_sphere>(places, core::place_of(corners[4])).is_perturbed;
+  }
+
+  // Returns whether the point at corner k lies in the plane of the facet between its cell and that of
+  // corner j, exactly.
+  bool is_in_facet(std::size_t c, std::size_t k, std::size_t j) const
+  {
+    bool is_in_facet = false;
+    if constexpr (has_weights) {
+      const auto of_facet = corner(c, j);
+      const decltype(core::place_of(of_facet)) others[1] = {core::place_of(of_facet)};
+      core::measure_in_stages<1>(others, core::place_of(corner(c, k)), [&](const auto& in) {
+        const auto& power = in.rows[0].w; // of the point to the other, less that to itself
+        is_in_facet = in.rounded(power).value == 0;
+        return in.is_known(power, power);
+      });
+    }
+    return is_in_facet;
   }
 
   // Returns the position of the first corner relative to another.
@@ -185,20 +235,23 @@ private:
   }
 
   template <std::size_t size>
-  static std::array<double, size> moved(const std::array<double, size>& corner, const Offset&)
+  static void set_offsets(std::array<std::array<double, size>, 5>&, const std::array<Offset, 5>&)
   {
-    return corner;
   }
+  // Moves them all to the middle, since only differences count, and offsets of copies are short.
   template <bool has_weight>
-  static core::Copy_place<has_weight> moved(core::Copy_place<has_weight> corner, const Offset& by)
+  static void set_offsets(std::array<core::Copy_place<has_weight>, 5>& corners,
+                          const std::array<Offset, 5>& offsets)
   {
     for (std::size_t a = 0; a < 3; ++a) {
-      const int shift = corner.shift[a] + by[a];
-      if (std::abs(shift) > (std::numeric_limits<std::int16_t>::max)())
-        throw std::invalid_argument("box: a corner is more than 32767 periods away from a point");
-      corner.shift[a] = std::int16_t(shift);
+      const auto [least, most] =
+          std::minmax({offsets[0][a], offsets[1][a], offsets[2][a], offsets[3][a], offsets[4][a]});
+      if (most - least > 2 * (std::numeric_limits<std::int16_t>::max)())
+        throw std::invalid_argument(
+            "box: corners are more than 65534 periods away from each other");
+      for (std::size_t i = 0; i < 5; ++i)
+        corners[i].shift[a] = std::int16_t(offsets[i][a] - (least + most) / 2);
     }
-    return corner;
   }
 
   const Rows& m_vertices;
@@ -207,52 +260,223 @@ private:
   const CornerOf& m_corner_of;
 };
 
-// Calls f(tetrahedra), unlocked.
+// Calls f(tetrahedra), unlocked. If not all points are used, one thread may.
 template <bool has_weight, class F>
 auto with_tetrahedra_of(const Points& points, const py::object& weights, const Numbers& simplices,
-                        const Numbers& neighbors, const py::object& in_box, const F& f)
+                        const Numbers& neighbors, const py::object& in_box, bool are_all_used,
+                        const F& f)
 {
   python::refuse_obstacle();
   const Rows vertices(simplices), across(neighbors);
   return python::with_corners_of<has_weight>(
-      points, weights, vertices, in_box, [&](const auto& corner_of) {
+      points, weights, vertices, in_box,
+      [&](const auto& corner_of) {
         const python::Unlocked unlocked;
         const core::Rounding_to_nearest rounding;
         return f(Tetrahedra(vertices, across, std::size_t(points.shape(0)), corner_of));
-      });
+      },
+      are_all_used);
 }
 template <class F>
 auto with_tetrahedra(const Points& points, const py::object& weights, const Numbers& simplices,
-                     const Numbers& neighbors, const py::object& in_box, const F& f)
+                     const Numbers& neighbors, const py::object& in_box, const F& f,
+                     bool are_all_used = true)
 {
-  return weights.is_none()
-             ? with_tetrahedra_of<false>(points, weights, simplices, neighbors, in_box, f)
-             : with_tetrahedra_of<true>(points, weights, simplices, neighbors, in_box, f);
+  return weights.is_none() ? with_tetrahedra_of<false>(points, weights, simplices, neighbors,
+                                                       in_box, are_all_used, f)
+                           : with_tetrahedra_of<true>(points, weights, simplices, neighbors, in_box,
+                                                      are_all_used, f);
 }
 
-// Calls take(c, shares) for each tetrahedron c in its turn. Several threads find the shares.
-template <class CornerAt, class Take>
-void for_each_share(std::size_t number, const CornerAt& corner, const core::Executor& executor,
-                    const Take& take)
+// Calls take(i, find(i)) for i = 0, …, number-1, in turn. Several threads find.
+template <class Find, class Take>
+void find_in_turn(std::size_t number, const Find& find, const core::Executor& executor,
+                  const Take& take)
 {
   constexpr std::size_t group = 1 << 14;
-  std::vector<python::Power_shares> shares((std::min)(group, number));
+  std::vector<decltype(find(0))> found((std::min)(group, number));
   for (std::size_t begin = 0; begin < number; begin += group) {
     const std::size_t size = (std::min)(group, number - begin);
     core::for_each_block(executor, size, core::number_of_blocks(executor, size, 1024),
                          [&](std::size_t first, std::size_t last, std::size_t) {
-                           for (std::size_t i = first; i < last; ++i) {
-                             const std::size_t c = begin + i;
-                             const decltype(corner(c, 0)) corners[4] = {corner(c, 0), corner(c, 1),
-                                                                        corner(c, 2), corner(c, 3)};
-                             shares[i] = python::power_shares_of(corners);
-                           }
+                           for (std::size_t i = first; i < last; ++i)
+                             found[i] = find(begin + i);
                          });
     executor.interruption_point();
     for (std::size_t i = 0; i < size; ++i)
-      take(begin + i, shares[i]);
+      take(begin + i, found[i]);
   }
 }
+
+// Measures cells by the shares of tetrahedra, as seen from the points. Where a point lies so far outside
+// of its cell that these nearly cancel each other, they are found again as seen from a point within.
+// Results do not depend on threads.
+template <class CornerOf>
+class Measure_cells
+{
+public:
+  // Keeps references.
+  Measure_cells(const Tetrahedra<CornerOf>& tetrahedra, const core::Executor& executor)
+    : m_tetrahedra(tetrahedra)
+    , m_executor(executor)
+    , m_unit(tetrahedra.unit())
+    , m_cells(tetrahedra.number_of_points())
+  {
+  }
+
+  int unit() const { return m_unit; }
+
+  // Calls take(c, shares) for each tetrahedron, and then take_again(c, k, shares) for those at cells whose
+  // shares are found again, as seen from near corner k.
+  template <class Take, class TakeAgain>
+  void measure(const Take& take, const TakeAgain& take_again)
+  {
+    const auto shares_of = [&](std::size_t c) {
+      return m_tetrahedra.with_corners_from(
+          c, 0, [&](const auto& corners) { return python::power_shares_of(corners, m_unit); });
+    };
+    find_in_turn(m_tetrahedra.size(), shares_of, m_executor,
+                 [&](std::size_t c, const python::Power_shares& shares) {
+                   take(c, shares);
+                   for (std::size_t k = 0; k < 4; ++k) {
+                     Cell& cell = m_cells[std::size_t(m_tetrahedra.vertex(c, k))];
+                     cell.volume += shares.volumes[k];
+                     cell.size += std::abs(shares.volumes[k]);
+                   }
+                 });
+    find_unbounded();
+    choose_points();
+    const auto shares_again = [&](std::size_t i) {
+      const Corner& at = m_corners[i];
+      const Vector& within = m_within[at.cell].sum;
+      return m_tetrahedra.with_corners_from(at.tetrahedron, at.corner, [&](const auto& corners) {
+        return python::power_shares_of(corners, m_unit, &within);
+      });
+    };
+    find_in_turn(m_corners.size(), shares_again, m_executor,
+                 [&](std::size_t i, const python::Power_shares& shares) {
+                   const Corner& at = m_corners[i];
+                   m_within[at.cell].volume += shares.volumes[0];
+                   take_again(at.tetrahedron, at.corner, shares);
+                 });
+  }
+
+  // Returns whether the shares of a cell were found again.
+  bool is_seen_from_within(std::size_t v) const { return m_cells[v].within != none; }
+
+  // Returns the volumes, -1 if they are unbounded.
+  std::vector<double> volumes() const
+  {
+    std::vector<double> volumes;
+    volumes.reserve(m_cells.size());
+    for (const Cell& cell : m_cells) {
+      const double volume = cell.within == none ? cell.volume : m_within[cell.within].volume;
+      volumes.push_back(cell.is_unbounded ? -1 : std::ldexp((std::max)(volume, 0.), 3 * m_unit));
+    }
+    return volumes;
+  }
+
+private:
+  static constexpr std::uint32_t none = std::uint32_t(-1);
+
+  // The sums of shares and of their absolute values.
+  struct Cell
+  {
+    double volume = 0, size = 0;
+    std::uint32_t within = none;
+    bool is_unbounded = false;
+  };
+  // A cell that is seen from within; of the centres of its tetrahedra, relative to its point, the sum,
+  // which becomes the mean, and the sum of squares.
+  struct Within
+  {
+    std::size_t number = 0;
+    Vector sum = {};
+    double squares = 0, volume = 0;
+  };
+  struct Corner
+  {
+    std::size_t tetrahedron;
+    unsigned corner;
+    std::uint32_t cell; // in m_within
+  };
+
+  void find_unbounded()
+  {
+    for (std::size_t c = 0; c < m_tetrahedra.size(); ++c)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (m_tetrahedra.neighbor(c, k) < 0)
+          for (std::size_t j = 1; j < 4; ++j)
+            m_cells[std::size_t(m_tetrahedra.vertex(c, k ^ j))].is_unbounded = true;
+  }
+
+  // Unbounded cells, too, may be far from their points if these have weights.
+  void choose_points()
+  {
+    for (Cell& cell : m_cells)
+      if (cell.is_unbounded ? m_tetrahedra.has_weights : !(cell.size <= 256 * cell.volume)) {
+        cell.within = std::uint32_t(m_within.size());
+        m_within.emplace_back();
+      }
+    if (m_within.empty())
+      return;
+    list_corners();
+    find_in_turn(
+        m_corners.size(),
+        [&](std::size_t i) {
+          return m_tetrahedra.center(m_corners[i].tetrahedron, m_corners[i].corner);
+        },
+        m_executor,
+        [&](std::size_t i, const Vector& center) {
+          Within& within = m_within[m_corners[i].cell];
+          ++within.number;
+          within.squares += core::dot(center, center);
+          for (std::size_t a = 0; a < 3; ++a)
+            within.sum[a] += center[a];
+        });
+    for (Cell& cell : m_cells)
+      if (cell.within != none && !find_mean(m_within[cell.within], cell.is_unbounded))
+        cell.within = none;
+    list_corners();
+  }
+
+  void list_corners()
+  {
+    m_corners.clear();
+    for (std::size_t c = 0; c < m_tetrahedra.size(); ++c)
+      for (unsigned k = 0; k < 4; ++k) {
+        const std::uint32_t within = m_cells[std::size_t(m_tetrahedra.vertex(c, k))].within;
+        if (within != none)
+          m_corners.push_back({c, k, within});
+      }
+  }
+
+  // Returns whether it is a place from which to see the cell: an unbounded one that is as large as the
+  // distance is seen from its point. The mean is rounded so that integers need few digits more.
+  static bool find_mean(Within& within, bool is_unbounded)
+  {
+    const auto number = double(within.number);
+    for (double& x : within.sum)
+      x /= number;
+    const double square = core::dot(within.sum, within.sum);
+    if (is_unbounded && !(within.squares / number < 257. / 256 * square))
+      return false;
+    int exponent;
+    std::frexp((std::max)({std::abs(within.sum[0]), std::abs(within.sum[1]),
+                           std::abs(within.sum[2]), std::sqrt(within.squares / number)}),
+               &exponent);
+    for (double& x : within.sum)
+      x = std::ldexp(std::rint(std::ldexp(x, 48 - exponent)), exponent - 48);
+    return std::isfinite(within.sum[0] + within.sum[1] + within.sum[2]);
+  }
+
+  const Tetrahedra<CornerOf>& m_tetrahedra;
+  const core::Executor& m_executor;
+  const int m_unit;
+  std::vector<Cell> m_cells;
+  std::vector<Within> m_within;
+  std::vector<Corner> m_corners;
+};
 
 // A tetrahedron in the ring around an edge: the ends of the edge, and the other two corners, in positive
 // orientation. The next one lies across the facet opposite to the first of these.
@@ -296,30 +520,43 @@ Step directed_step_at(const Tetrahedra<CornerOf>& tetrahedra, std::size_t place)
 }
 
 // The tetrahedra around an edge, counterclockwise as seen from its second end.
-struct Ring
+class Ring
 {
+public:
   std::vector<Step> steps;
   bool is_closed = false;
 
-  // Finds it; one that has a step with a smaller place only if that is wanted.
-  template <class AcrossOf>
-  bool find(const Step& first, std::size_t most, const AcrossOf& across, bool from_anywhere = false)
+  // Rings of so many tetrahedra. Keeps a reference.
+  Ring(core::Steps& count, std::size_t tetrahedra)
+    : m_count(count)
+    , m_most(6 * tetrahedra)
+  {
+  }
+
+  // Finds it from this step on, and returns true unless it meets a step where it is to be left.
+  template <class AcrossOf, class IsLeft>
+  bool find(const Step& first, const AcrossOf& across, const IsLeft& is_left)
   {
     steps.clear();
     is_closed = false;
     Step step = first;
-    for (std::size_t number = 0; number <= most; ++number) {
+    for (std::size_t number = 0; number <= m_most; ++number, m_count()) {
       const Across to = across(step.cell, step.at[2]);
       step.joins_next = to.has_same_center;
       steps.push_back(step);
       if (to.cell < 0)
-        return is_first_of_open(first.turned(), most, across);
+        return meets_other_end(first.turned(), across, is_left);
       step = step.next(to);
       is_closed = step.cell == first.cell && step.at == first.at;
-      if (is_closed || (!from_anywhere && step.place() < first.place()))
+      if (is_closed || is_left(step))
         return is_closed;
     }
     refuse_neighbors();
+  }
+  template <class AcrossOf>
+  bool find(const Step& first, const AcrossOf& across)
+  {
+    return find(first, across, [](const Step&) { return false; });
   }
 
   // Returns 0 if there are less than three.
@@ -331,20 +568,22 @@ struct Ring
   }
 
 private:
-  template <class AcrossOf>
-  static bool is_first_of_open(Step step, std::size_t most, const AcrossOf& across)
+  template <class AcrossOf, class IsLeft>
+  bool meets_other_end(Step step, const AcrossOf& across, const IsLeft& is_left)
   {
-    const std::size_t place = step.place();
-    for (std::size_t number = 0; number <= most; ++number) {
+    for (std::size_t number = 0; number <= m_most; ++number, m_count()) {
       const Across to = across(step.cell, step.at[2]);
       if (to.cell < 0)
         return true;
       step = step.next(to);
-      if (step.place() < place)
+      if (is_left(step))
         return false;
     }
     refuse_neighbors();
   }
+
+  core::Steps& m_count;
+  const std::size_t m_most;
 };
 
 struct Facet
@@ -371,7 +610,6 @@ struct Parts
   std::vector<std::uint32_t> number_of;  // the part of each tetrahedron
   std::vector<std::uint32_t> tetrahedra; // that of each part
   std::vector<Part> parts;
-  std::vector<double> volumes; // of cells
 
   Part& of(std::size_t tetrahedron) { return parts[number_of[tetrahedron]]; }
   const Part& of(std::size_t tetrahedron) const { return parts[number_of[tetrahedron]]; }
@@ -408,25 +646,31 @@ core::Lists<std::uint32_t> sorted_by_space(const Tetrahedra<CornerOf>& tetrahedr
                                            [](std::size_t c) { return std::uint32_t(c); }));
 }
 
+// Takes areas of facets from the shares; those of a facet from its first end, if that is seen from within,
+// and else from the second if that is.
 template <class CornerOf>
-Parts parts_of(const Tetrahedra<CornerOf>& tetrahedra, const core::Executor& executor)
+Parts parts_of(const Tetrahedra<CornerOf>& tetrahedra, Measure_cells<CornerOf>& cells)
 {
   const std::size_t m = tetrahedra.size();
   Parts parts;
-  parts.volumes.resize(tetrahedra.number_of_points());
   const auto sorted = sorted_by_space(tetrahedra);
   parts.tetrahedra.assign(sorted.items.begin(), sorted.items.end());
   parts.number_of.resize(m);
   for (std::size_t i = 0; i < m; ++i)
     parts.number_of[parts.tetrahedra[i]] = std::uint32_t(i);
   parts.parts.resize(m);
-  for_each_share(
-      m, [&](std::size_t c, std::size_t k) { return tetrahedra.corner(c, k); }, executor,
+  cells.measure(
       [&](std::size_t c, const python::Power_shares& shares) {
         parts.of(c).center = shares.center;
         parts.of(c).areas = shares.areas;
-        for (std::size_t k = 0; k < 4; ++k)
-          parts.volumes[std::size_t(tetrahedra.vertex(c, k))] += shares.volumes[k];
+      },
+      [&](std::size_t c, std::size_t k, const python::Power_shares& shares) {
+        for (std::size_t j = 1; j < 4; ++j) {
+          const std::size_t edge = python::number_of_edge(k, k ^ j);
+          if (!cells.is_seen_from_within(std::size_t(tetrahedra.vertex(c, k ^ j))) ||
+              directed_step_at(tetrahedra, 6 * c + edge).at[0] == k)
+            parts.of(c).areas[edge] = shares.areas[j - 1];
+        }
       });
   return parts;
 }
@@ -452,18 +696,19 @@ bool have_distant_centers(const Tetrahedra<CornerOf>& tetrahedra, const Parts& p
   return distance > 0x1p-40 * size + 0x1p-1000; // false if one is not finite
 }
 
-// Finds what lies across facet k of tetrahedron c, and writes it down for both.
+// Finds what lies across facet k of tetrahedron c, in tetrahedron d, and writes it down for both.
 template <class CornerOf>
-void find_across(const Tetrahedra<CornerOf>& tetrahedra, std::size_t c, std::size_t k, Parts& parts)
+void find_across(const Tetrahedra<CornerOf>& tetrahedra, std::size_t c, std::size_t k, Index d,
+                 Parts& parts)
 {
-  Across to = tetrahedra.across(c, k);
+  Across to = tetrahedra.across(c, k, d);
   to.has_same_center =
       !have_distant_centers(tetrahedra, parts, c, k, to) && tetrahedra.have_same_center(c, k, to);
   Across back = {Index(parts.number_of[c]), 0, to.has_same_center};
   for (std::size_t a = 0; a < 4; ++a)
     back.corners = static_cast<unsigned char>(back.corners | a << 2 * to.corner(a));
-  parts.of(std::size_t(to.cell)).across[to.corner(k)] = back;
-  to.cell = Index(parts.number_of[std::size_t(to.cell)]);
+  parts.of(std::size_t(d)).across[to.corner(k)] = back;
+  to.cell = Index(parts.number_of[std::size_t(d)]);
   parts.of(c).across[k] = to;
 }
 
@@ -478,8 +723,9 @@ void find_all_across(const Tetrahedra<CornerOf>& tetrahedra, Parts& parts,
                          for (std::size_t i = first; i < last; ++i, step())
                            for (std::size_t k = 0; k < 4; ++k) {
                              const std::size_t c = parts.tetrahedra[i];
-                             if (tetrahedra.neighbor(c, k) >= Index(c))
-                               find_across(tetrahedra, c, k, parts);
+                             const Index d = tetrahedra.neighbor(c, k);
+                             if (d >= Index(c))
+                               find_across(tetrahedra, c, k, d, parts);
                            }
                        });
   for (std::size_t i = 0; i < m; ++i)
@@ -512,45 +758,63 @@ Facet facet_of(const Tetrahedra<CornerOf>& tetrahedra, const Parts& parts, const
   return facet;
 }
 
+// Finds the facets whose rings have their least place from parts first to last-1. Each part of a ring is
+// walked through but once in these.
+template <class CornerOf>
+std::deque<Facet> facets_from(const Tetrahedra<CornerOf>& tetrahedra, Parts& parts,
+                              std::size_t first, std::size_t last, const core::Executor& executor)
+{
+  core::Steps count(executor);
+  Ring ring(count, tetrahedra.size());
+  std::deque<Facet> facets;
+  const auto across = [&](std::size_t c, std::size_t k) { return parts.parts[c].across[k]; };
+  const auto is_here = [&](const Step& step) { return first <= step.cell && step.cell < last; };
+  for (std::size_t place = 6 * first; place < 6 * last; ++place, count()) {
+    if (parts.parts[place / 6].is_done[place % 6])
+      continue;
+    const auto is_left = [&](const Step& step) {
+      return step.place() < place || // it is found from there, or has been
+             (is_here(step) && parts.parts[step.cell].is_done[step.edge()]);
+    };
+    if (ring.find(step_at(place), across, is_left))
+      facets.push_back(facet_of(tetrahedra, parts, ring));
+    for (const Step& step : ring.steps)
+      if (is_here(step)) // others belong to other threads, which find out again
+        parts.parts[step.cell].is_done[step.edge()] = true;
+  }
+  return facets;
+}
+
 // Returns the facets of all edges, sorted by their ends and offsets.
 template <class CornerOf>
-std::vector<Facet> facets_of(const Tetrahedra<CornerOf>& tetrahedra, Parts& parts,
+std::vector<Facet> facets_of(const Tetrahedra<CornerOf>& tetrahedra, Parts&& parts,
                              const core::Executor& executor)
 {
   const std::size_t m = tetrahedra.size(), n = tetrahedra.number_of_points();
-  const auto across = [&](std::size_t c, std::size_t k) { return parts.parts[c].across[k]; };
-  const std::size_t blocks = core::number_of_blocks(executor, m, 4096);
-  std::vector<std::vector<Facet>> found(blocks);
-  core::for_each_block(
-      executor, m, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
-        core::Steps step(executor);
-        Ring ring;
-        for (std::size_t place = 6 * first; place < 6 * last; ++place, step()) {
-          if (!parts.parts[place / 6].is_done[place % 6] &&
-              ring.find(step_at(place), 6 * m, across)) {
-            found[b].push_back(facet_of(tetrahedra, parts, ring));
-            for (const Step& of_ring : ring.steps)
-              if (of_ring.cell < last) // others belong to other threads, which find out again
-                parts.parts[of_ring.cell].is_done[of_ring.edge()] = true;
-          }
-        }
-      });
-  std::vector<Facet> facets = std::move(found[0]);
-  for (std::size_t b = 1; b < blocks; ++b)
-    facets.insert(facets.end(), found[b].begin(), found[b].end());
-  const auto lists = core::in_lists<std::uint32_t>(
-      n, core::Listed_items(
-             facets.size(), [&](std::size_t f) { return std::size_t(facets[f].ends[0]); },
-             [](std::size_t f) { return std::uint32_t(f); }));
-  std::vector<Facet> sorted;
-  sorted.reserve(facets.size());
-  for (std::size_t v = 0; v < n; ++v) {
-    const auto begin = sorted.end() - sorted.begin();
-    for (const std::uint32_t* f = lists.begin(v); f != lists.end(v); ++f)
-      sorted.push_back(facets[*f]);
-    std::sort(sorted.begin() + begin, sorted.end(), [](const Facet& f, const Facet& g) {
+  std::vector<std::deque<Facet>> found(core::number_of_blocks(executor, m, 4096));
+  core::for_each_block(executor, m, found.size(),
+                       [&](std::size_t first, std::size_t last, std::size_t b) {
+                         found[b] = facets_from(tetrahedra, parts, first, last, executor);
+                       });
+  parts = Parts(); // the memory is needed now
+  std::vector<std::size_t> ends(n + 1);
+  for (const std::deque<Facet>& of_block : found)
+    for (const Facet& facet : of_block)
+      ++ends[std::size_t(facet.ends[0]) + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<Facet> sorted(ends[n]);
+  for (std::deque<Facet>& of_block : found) {
+    for (const Facet& facet : of_block)
+      sorted[ends[std::size_t(facet.ends[0])]++] = facet;
+    of_block = {};
+  }
+  auto begin = sorted.begin();
+  for (std::size_t v = 0; v < n; ++v) { // ends[v] is that of its list now
+    const auto end = sorted.begin() + std::ptrdiff_t(ends[v]);
+    std::sort(begin, end, [](const Facet& f, const Facet& g) {
       return std::tie(f.ends[1], f.offset) < std::tie(g.ends[1], g.offset);
     });
+    begin = end;
   }
   return sorted;
 }
@@ -569,19 +833,22 @@ py::array column_of(const std::vector<Facet>& facets, py::ssize_t entries, const
 }
 
 // Returns the volumes of the cells, and of each facet its two points, its offset in a box, its area, its
-// number of corners, and its place, where its ring is found again; volumes are those without regard to
-// the hull, and areas and corners are -1 there.
+// number of corners, and its place, where its ring is found again; all measures are -1 if they are
+// unbounded. Areas have to be multiplied by a power of 2, whose exponent comes last.
 py::tuple cell_facets(const Points& points, const py::object& weights, const Numbers& simplices,
                       const Numbers& neighbors, const py::object& in_box, std::size_t threads)
 {
   std::vector<double> volumes;
+  int exponent = 0;
   const std::vector<Facet> facets =
       with_tetrahedra(points, weights, simplices, neighbors, in_box, [&](const auto& tetrahedra) {
         const python::Interruptible_executor executor(threads);
-        Parts parts = parts_of(tetrahedra, executor);
+        Measure_cells cells(tetrahedra, executor);
+        Parts parts = parts_of(tetrahedra, cells);
+        volumes = cells.volumes();
+        exponent = 2 * cells.unit();
         find_all_across(tetrahedra, parts, executor);
-        volumes = std::move(parts.volumes);
-        return facets_of(tetrahedra, parts, executor);
+        return facets_of(tetrahedra, std::move(parts), executor);
       });
   const auto append = [](auto& column, const auto& items) {
     column.insert(column.end(), items.begin(), items.end());
@@ -593,39 +860,30 @@ py::tuple cell_facets(const Points& points, const py::object& weights, const Num
       column_of<double>(facets, 1, [](const Facet& f, auto& to) { to.push_back(f.area); }),
       column_of<Index>(facets, 1, [](const Facet& f, auto& to) { to.push_back(f.corners); }),
       column_of<std::int64_t>(
-          facets, 1, [](const Facet& f, auto& to) { to.push_back(std::int64_t(f.place)); }));
+          facets, 1, [](const Facet& f, auto& to) { to.push_back(std::int64_t(f.place)); }),
+      exponent);
 }
 
-// Returns the volumes of the cells alone, without regard to the hull.
+// Returns the volumes of the cells alone.
 py::array cell_volumes(const Points& points, const py::object& weights, const Numbers& simplices,
-                       const py::object& in_box, std::size_t threads)
+                       const Numbers& neighbors, const py::object& in_box, std::size_t threads)
 {
-  const Rows rows(simplices);
-  const auto n = std::size_t(points.shape(0));
-  std::vector<double> volumes(n);
-  const auto add = [&](const auto& corner_of) {
-    const python::Unlocked unlocked;
-    const auto vertex = [&](std::size_t c, std::size_t k) {
-      return std::size_t(rows.number(c, k, n));
-    };
-    for_each_share(
-        rows.size(), [&](std::size_t c, std::size_t k) { return corner_of(c, k, vertex(c, k)); },
-        python::Interruptible_executor(threads),
-        [&](std::size_t c, const python::Power_shares& shares) {
-          for (std::size_t k = 0; k < 4; ++k)
-            volumes[vertex(c, k)] += shares.volumes[k];
-        });
-  };
-  if (weights.is_none())
-    python::with_corners_of<false>(points, weights, rows, in_box, add);
-  else
-    python::with_corners_of<true>(points, weights, rows, in_box, add);
-  return array_from(std::move(volumes), {points.shape(0)});
+  return array_from(with_tetrahedra(points, weights, simplices, neighbors, in_box,
+                                    [&](const auto& tetrahedra) {
+                                      const python::Interruptible_executor executor(threads);
+                                      Measure_cells cells(tetrahedra, executor);
+                                      cells.measure([](auto&&...) {}, [](auto&&...) {});
+                                      return cells.volumes();
+                                    }),
+                    {points.shape(0)});
 }
 
+// Returns 0 for 0: if a corner of a facet is rounded to the point from which it is seen.
 Vector unit_vector(const Vector& v)
 {
   const double size = (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  if (size == 0)
+    return v;
   const Vector near_1 = {v[0] / size, v[1] / size, v[2] / size};
   const double length = std::sqrt(core::dot(near_1, near_1));
   return {near_1[0] / length, near_1[1] / length, near_1[2] / length};
@@ -648,7 +906,8 @@ double solid_angle_of(const std::vector<Vector>& polygon)
   return 2 * half;
 }
 
-// Returns the solid angles of facets, given by their places, from either end; -1 if they are unbounded.
+// Returns the solid angles of facets, given by their places, from either end; -1 if they are unbounded,
+// and 0 from a point in their plane.
 py::array solid_angles(const Points& points, const py::object& weights, const Numbers& simplices,
                        const Numbers& neighbors, const py::object& in_box,
                        const py::array_t<std::int64_t, py::array::c_style>& places,
@@ -664,25 +923,25 @@ py::array solid_angles(const Points& points, const py::object& weights, const Nu
     core::for_each_block(executor, m, core::number_of_blocks(executor, m, 4096),
                          [&](std::size_t first, std::size_t last, std::size_t) {
                            core::Steps step(executor);
-                           for (std::size_t c = first; c < last; ++c, step()) {
-                             const decltype(tetrahedra.corner(c, 0)) corners[4] = {
-                                 tetrahedra.corner(c, 0), tetrahedra.corner(c, 1),
-                                 tetrahedra.corner(c, 2), tetrahedra.corner(c, 3)};
-                             centers[c] = core::circumsphere_of(corners).center;
-                           }
+                           for (std::size_t c = first; c < last; ++c, step())
+                             centers[c] = tetrahedra.center(c, 0);
                          });
     const auto across = [&](std::size_t c, std::size_t k) { return tetrahedra.across(c, k); };
     core::for_each_block(
         executor, number, core::number_of_blocks(executor, number, 4096),
         [&](std::size_t first, std::size_t last, std::size_t) {
-          core::Steps step(executor);
-          Ring ring;
+          core::Steps count(executor);
+          Ring ring(count, m);
           std::vector<Vector> polygon;
-          for (std::size_t f = first; f < last; ++f, step()) {
+          for (std::size_t f = first; f < last; ++f) {
             if (place[f] < 0 || std::size_t(place[f]) >= 6 * m)
               throw std::out_of_range("places: there is no such edge");
-            ring.find(directed_step_at(tetrahedra, std::size_t(place[f])), 6 * m, across, true);
+            const Step start = directed_step_at(tetrahedra, std::size_t(place[f]));
+            ring.find(start, across);
             for (std::size_t end = 0; end < 2 && ring.is_closed; ++end) {
+              angles[2 * f + end] = 0;
+              if (tetrahedra.is_in_facet(start.cell, start.at[end], start.at[1 - end]))
+                continue;
               polygon.clear();
               for (const Step& s : ring.steps) {
                 const Vector from = tetrahedra.first_from(s.cell, s.at[end]);
@@ -703,11 +962,12 @@ class Star
 public:
   // Throws if the vertex is at the hull.
   template <class CornerOf>
-  Star(const Tetrahedra<CornerOf>& tetrahedra, std::size_t cell, std::size_t corner)
+  Star(const Tetrahedra<CornerOf>& tetrahedra, std::size_t cell, std::size_t corner,
+       core::Steps& count)
   {
     add(4 * cell + corner);
     std::vector<std::array<std::size_t, 2>> same;
-    for (std::size_t i = 0; i < m_corners.size(); ++i) {
+    for (std::size_t i = 0; i < m_corners.size(); ++i, count()) {
       const std::size_t c = m_corners[i] / 4, at = m_corners[i] % 4;
       for (std::size_t k = 0; k < 4; ++k)
         if (k != at) {
@@ -724,6 +984,7 @@ public:
       sets.unite(pair[0], pair[1]);
     for (std::size_t i = 0; i < m_corners.size(); ++i)
       m_centers.push_back(sets.root(i));
+    m_are_marked.resize(m_corners.size());
   }
 
   // Each is four times a tetrahedron, plus the corner that is the vertex.
@@ -733,6 +994,13 @@ public:
   std::size_t center(const Step& step) const
   {
     return m_centers[m_numbers.at(4 * step.cell + step.at[0])];
+  }
+
+  // Marks the edge of a step, from the vertex, and returns whether it was not marked.
+  bool mark(const Step& step)
+  {
+    bool& is_marked = m_are_marked[m_numbers.at(4 * step.cell + step.at[0])][step.at[1]];
+    return !std::exchange(is_marked, true);
   }
 
 private:
@@ -745,6 +1013,7 @@ private:
   }
 
   std::vector<std::size_t> m_corners, m_centers;
+  std::vector<std::array<bool, 4>> m_are_marked;
   std::map<std::size_t, std::size_t> m_numbers;
 };
 
@@ -757,12 +1026,13 @@ struct Face
   std::vector<std::size_t> centers;
 };
 
+// Marks the edges of the star.
 template <class CornerOf>
-std::vector<Face> faces_of(const Tetrahedra<CornerOf>& tetrahedra, const Star& star)
+std::vector<Face> faces_of(const Tetrahedra<CornerOf>& tetrahedra, Star& star, core::Steps& count)
 {
   const auto across = [&](std::size_t c, std::size_t k) { return tetrahedra.across(c, k); };
   std::vector<Face> faces;
-  Ring ring;
+  Ring ring(count, tetrahedra.size());
   for (const std::size_t corner : star.corners())
     for (std::size_t j = 0; j < 4; ++j) {
       const std::size_t c = corner / 4, k = corner % 4;
@@ -771,14 +1041,17 @@ std::vector<Face> faces_of(const Tetrahedra<CornerOf>& tetrahedra, const Star& s
       Step first = step_at(6 * c + python::number_of_edge(j, k));
       if (first.at[0] != k)
         first = first.turned();
-      if (!ring.find(first, 6 * tetrahedra.size(), across))
+      if (!star.mark(first))
         continue;
+      ring.find(first, across);
       Face face = {tetrahedra.vertex(c, j),
                    tetrahedra.difference(tetrahedra.offset(c, j), tetrahedra.offset(c, k)),
                    {}};
-      for (const Step& step : ring.steps)
+      for (const Step& step : ring.steps) {
+        star.mark(step);
         if (face.centers.empty() || star.center(step) != face.centers.back())
           face.centers.push_back(star.center(step));
+      }
       if (face.centers.front() == face.centers.back())
         face.centers.pop_back();
       if (face.centers.size() > 2)
@@ -798,26 +1071,26 @@ py::tuple cell_polyhedron(const Points& points, const py::object& weights, const
 {
   std::vector<double> vertices;
   std::vector<Face> faces;
-  with_tetrahedra(points, weights, simplices, neighbors, in_box, [&](const auto& tetrahedra) {
-    const Star star(tetrahedra, simplex, corner);
-    faces = faces_of(tetrahedra, star);
-    std::map<std::size_t, std::size_t> numbers;
-    for (Face& face : faces)
-      for (std::size_t& center : face.centers) {
-        const auto numbered = numbers.emplace(center, numbers.size());
-        if (numbered.second) {
-          const std::size_t c = star.corners()[center] / 4, k = star.corners()[center] % 4;
-          const decltype(tetrahedra.corner(c, 0)) corners[4] = {
-              tetrahedra.corner(c, 0), tetrahedra.corner(c, 1), tetrahedra.corner(c, 2),
-              tetrahedra.corner(c, 3)};
-          const Vector o = core::circumsphere_of(corners).center;
-          const Vector from = tetrahedra.first_from(c, k);
-          for (std::size_t i = 0; i < 3; ++i)
-            vertices.push_back(o[i] + from[i]);
-        }
-        center = numbered.first->second;
-      }
-  });
+  with_tetrahedra(
+      points, weights, simplices, neighbors, in_box,
+      [&](const auto& tetrahedra) {
+        const python::Interruptible_executor executor(1);
+        core::Steps count(executor);
+        Star star(tetrahedra, simplex, corner, count);
+        faces = faces_of(tetrahedra, star, count);
+        std::map<std::size_t, std::size_t> numbers;
+        for (Face& face : faces)
+          for (std::size_t& center : face.centers) {
+            const auto numbered = numbers.emplace(center, numbers.size());
+            if (numbered.second) {
+              const std::size_t c = star.corners()[center] / 4, k = star.corners()[center] % 4;
+              const Vector center = tetrahedra.center(c, k);
+              vertices.insert(vertices.end(), center.begin(), center.end());
+            }
+            center = numbered.first->second;
+          }
+      },
+      false);
   py::list lists;
   std::vector<Index> beyond, offsets;
   for (const Face& face : faces) {

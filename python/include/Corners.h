@@ -13,10 +13,12 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/Find_in_box.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Copy_vertex.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -56,27 +58,24 @@ private:
   Offsets m_offsets;
 };
 
-// Corners of simplices in a box, whose points are copied, with weights if there are any.
+// Corners of simplices in a box, whose points are copied, with weights if there are any: all at once, or
+// one by one when they are used, for one thread that uses few.
 template <bool has_weight>
 class Corners_in_box
 {
 public:
   // Keeps pointers.
-  Corners_in_box(const Points& points, const double* weights, const In_box& in_box)
-    : m_periods(core::periods_of(in_box.box()))
+  Corners_in_box(const Points& points, const double* weights, const In_box& in_box,
+                 bool are_all_used = true)
+    : m_point_of{python::Points_view(points)}
+    , m_weights(weights)
+    , m_are_all_used(are_all_used)
+    , m_points(are_all_used ? std::size_t(points.shape(0)) : 0)
+    , m_periods(core::periods_of(in_box.box()))
     , m_offsets(in_box.offsets())
   {
-    const Point_of point_of = {python::Points_view(points)};
-    const auto n = std::size_t(points.shape(0));
-    m_points.reserve(size * n);
-    for (std::size_t i = 0; i < n; ++i) {
-      for (const double x : point_of(i)) {
-        m_points.push_back(x);
-        m_periods.are_scaled = m_periods.are_scaled && std::fabs(x) < 0x1p1000;
-      }
-      if (has_weight)
-        m_points.push_back(weights[i]);
-    }
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      m_points[i] = read(i);
   }
 
   // Corner k of simplex c, which is point i.
@@ -89,7 +88,7 @@ public:
   template <class Integer>
   core::Copy_place<has_weight> copy(std::size_t i, const Integer* offset) const
   {
-    return {m_points.data() + size * i,
+    return {point(i),
             &m_periods,
             {std::int16_t(offset[0]), std::int16_t(offset[1]), std::int16_t(offset[2])}};
   }
@@ -97,10 +96,45 @@ public:
   // Three for each corner.
   const std::int16_t* offsets() const { return m_offsets; }
 
+  // The largest of all numbers but weights, in absolute value, where all points are used.
+  double largest() const
+  {
+    double largest = *std::max_element(m_periods.lengths, m_periods.lengths + 3);
+    for (const Point& p : m_points)
+      for (std::size_t a = 0; a < 3; ++a)
+        largest = (std::max)(largest, std::fabs(p[a]));
+    return largest;
+  }
+
 private:
-  static constexpr std::size_t size = has_weight ? 4 : 3;
-  std::vector<double> m_points;
-  core::Periods m_periods;
+  using Point = std::array<double, has_weight ? 4 : 3>;
+
+  Point read(std::size_t i) const
+  {
+    const std::array<double, 3> p = m_point_of(i);
+    for (const double x : p)
+      m_periods.are_scaled = m_periods.are_scaled && std::fabs(x) < 0x1p1000;
+    if constexpr (has_weight)
+      return {p[0], p[1], p[2], m_weights[i]};
+    else
+      return p;
+  }
+
+  const double* point(std::size_t i) const
+  {
+    if (m_are_all_used)
+      return m_points[i].data();
+    const auto used = m_used_points.find(i);
+    return (used != m_used_points.end() ? used : m_used_points.emplace(i, read(i)).first)
+        ->second.data();
+  }
+
+  const Point_of m_point_of;
+  const double* m_weights;
+  const bool m_are_all_used;
+  std::vector<Point> m_points;
+  mutable std::unordered_map<std::size_t, Point> m_used_points;
+  mutable core::Periods m_periods;
   const std::int16_t* m_offsets;
 };
 
@@ -126,6 +160,7 @@ class Corners_of_points
 public:
   Corners_of_points(const Points& points, const double* weights)
     : m_point_of{Points_view(points)}
+    , m_size(std::size_t(points.shape(0)))
     , m_weights(weights)
   {
   }
@@ -141,8 +176,18 @@ public:
 
   const std::int16_t* offsets() const { return nullptr; }
 
+  double largest() const
+  {
+    double largest = 0;
+    for (std::size_t i = 0; i < m_size; ++i)
+      for (const double x : m_point_of(i))
+        largest = (std::max)(largest, std::fabs(x));
+    return largest;
+  }
+
 private:
   const Point_of m_point_of;
+  const std::size_t m_size;
   const double* m_weights;
 };
 
@@ -150,7 +195,7 @@ private:
 // may be None.
 template <bool has_weight, class F>
 auto with_corners_of(const Points& points, const py::object& weights, const Rows& rows,
-                     const py::object& in_box, const F& f)
+                     const py::object& in_box, const F& f, bool are_all_used = true)
 {
   if (rows.corners() != 4)
     throw py::value_error("simplices: expected tetrahedra");
@@ -161,7 +206,7 @@ auto with_corners_of(const Points& points, const py::object& weights, const Rows
   if (in_box.is_none())
     return f(Corners_of_points<has_weight>(points, of_points.data()));
   const In_box of_simplices(in_box, rows);
-  return f(Corners_in_box<has_weight>(points, of_points.data(), of_simplices));
+  return f(Corners_in_box<has_weight>(points, of_points.data(), of_simplices, are_all_used));
 }
 
 } // namespace python

@@ -9,6 +9,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -75,49 +76,101 @@ bool add_power_shares(const std::array<std::array<Number, 3>, 4>& at,
   return true;
 }
 
-// Returns the shares of a tetrahedron, NaNs if its corners are not finite: the sum over the tetrahedra of
-// an edge is the area of the facet that crosses it, and that over those of a vertex the volume of its
-// cell, by Voronoi's rule or, if corners have weights, by power.
+// Lets the point that is the origin be elsewhere, and moves the others along. With other weights power
+// cells stay as they are: the planes between the first point and others are 2 p · x = w.
+template <class Rows>
+void move_points(Rows& in, const std::array<double, 3>& by)
+{
+  using Number = typename Rows::Number;
+  std::array<Number, 3> move;
+  if constexpr (std::is_same<Number, core::Big_integer>::value) {
+    int unit = in.unit;
+    for (const double x : by)
+      unit = x == 0 ? unit : (std::min)(unit, core::Bits_of_double(x).exponent);
+    const Number factor(1, unit - in.unit), square = factor * factor;
+    for (auto& row : in.rows) {
+      row.x = row.x * factor;
+      row.y = row.y * factor;
+      row.z = row.z * factor;
+      row.w = row.w * square;
+    }
+    in.unit = unit;
+    for (std::size_t i = 0; i < 3; ++i)
+      move[i] = Number(by[i], unit);
+  } else {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double x = std::ldexp(by[i], -in.unit);
+      move[i] = {{x, 0}, std::abs(x)};
+    }
+  }
+  for (auto& row : in.rows) {
+    const auto product = core::dot(core::vector_of(row), move);
+    row.w = row.w - product - product;
+  }
+}
+
+// Finds the shares of the corners that these rows are of, and returns whether they were accurate enough.
+template <class Rows>
+bool find_power_shares(const Rows& in, bool has_weights, int unit, Power_shares& shares)
+{
+  using Number = typename Rows::Number;
+  core::Circumsphere sphere;
+  if (!sphere.find(in))
+    return false;
+  const auto b = core::vector_of(in.rows[0]);
+  std::array<std::array<Number, 3>, 4> at = {core::minus(b, b)};
+  std::array<Number, 4> lifts;
+  lifts.fill(at[0][0]); // 0
+  for (std::size_t k = 1; k < 4; ++k) {
+    at[k] = core::vector_of(in.rows[k - 1]);
+    if (has_weights)
+      lifts[k] = in.rows[k - 1].w - core::dot(at[k], at[k]);
+  }
+  // Numbers near 1 are scaled only in the end; integers may be too large for doubles.
+  const int scale = std::is_same<Number, core::Big_integer>::value ? unit : in.unit;
+  const auto scaled = [](auto& numbers, int exponent) {
+    for (double& x : numbers)
+      x = std::ldexp(x, exponent);
+  };
+  Power_shares sums = {sphere.center, {}, {}};
+  scaled(sphere.center, -scale);
+  for (const auto& f : core::facet_corners) {
+    std::array<double, 3> o = sphere.center;
+    for (std::size_t i = 0; i < 3; ++i)
+      o[i] -= core::quotient(Rows::rounded(at[f[0]][i]), {1, 0}, in.unit - scale);
+    if (!add_power_shares<Rows>(at, lifts, f, o, in.unit - scale, sums))
+      return false;
+  }
+  scaled(sums.areas, 2 * (scale - unit));
+  scaled(sums.volumes, 3 * (scale - unit));
+  shares = sums;
+  return true;
+}
+
+// Returns the shares of a tetrahedron in powers of 2^unit, NaNs if its corners are not finite: the sum
+// over the tetrahedra of an edge is the area of the facet that crosses it, and that over those of a
+// vertex the volume of its cell, by Voronoi's rule or, if corners have weights, by power. If a site is
+// given, relative to the first corner, the first three areas and the first volume are shares as seen
+// from there, for which differences of doubles would seldom be enough.
 template <class Corner>
-Power_shares power_shares_of(const Corner (&corners)[4])
+Power_shares power_shares_of(const Corner (&corners)[4], int unit,
+                             const std::array<double, 3>* site = nullptr)
 {
   constexpr double none = core::no_measure;
   Power_shares shares = {
       {none, none, none}, {none, none, none, none, none, none}, {none, none, none, none}};
   core::measure_at_corner(corners, 0, [&](const auto& in) {
     using Rows = std::decay_t<decltype(in)>;
-    using Number = typename Rows::Number;
-    core::Circumsphere sphere;
-    if (!sphere.find(in))
+    if (site == nullptr)
+      return find_power_shares(in, core::is_weighted<decltype(core::place_of(corners[0]))>, unit,
+                               shares);
+    if constexpr (std::is_same<typename Rows::Number, core::Bounded_number<double>>::value)
       return false;
-    const auto b = core::vector_of(in.rows[0]);
-    std::array<std::array<Number, 3>, 4> at = {core::minus(b, b)};
-    std::array<Number, 4> lifts;
-    lifts.fill(at[0][0]); // 0
-    for (std::size_t k = 1; k < 4; ++k) {
-      at[k] = core::vector_of(in.rows[k - 1]);
-      if constexpr (core::is_weighted<decltype(core::place_of(corners[0]))>)
-        lifts[k] = in.rows[k - 1].w - core::dot(at[k], at[k]);
+    else {
+      Rows moved = in;
+      move_points(moved, *site);
+      return find_power_shares(moved, true, unit, shares);
     }
-    // Numbers near 1 are scaled only in the end; integers may be too large for doubles.
-    const int scale = std::is_same<Number, core::Big_integer>::value ? 0 : in.unit;
-    const auto scaled = [](auto& numbers, int exponent) {
-      for (double& x : numbers)
-        x = std::ldexp(x, exponent);
-    };
-    Power_shares sums = {sphere.center, {}, {}};
-    scaled(sphere.center, -scale);
-    for (const auto& f : core::facet_corners) {
-      std::array<double, 3> o = sphere.center;
-      for (std::size_t i = 0; i < 3; ++i)
-        o[i] -= core::quotient(Rows::rounded(at[f[0]][i]), {1, 0}, in.unit - scale);
-      if (!add_power_shares<Rows>(at, lifts, f, o, in.unit - scale, sums))
-        return false;
-    }
-    scaled(sums.areas, 2 * scale);
-    scaled(sums.volumes, 3 * scale);
-    shares = sums;
-    return true;
   });
   return shares;
 }

@@ -17,6 +17,12 @@ from ._arguments import whole_number
 from ._types import Coordinates, InBox, Indices, Places, Radius, Reals
 
 
+def _read_only(array: Any) -> Any:
+    """The array, of which later answers are made."""
+    array.flags.writeable = False
+    return array
+
+
 class PowerFacets(NamedTuple):
     """The facets of the power diagram, or of the Voronoi diagram, each between the cells of two points."""
 
@@ -84,26 +90,38 @@ class Cells:
         return self.points, self.__dict__.get("_weights"), self.simplices, self.neighbors, self._in_box
 
     @cached_property
-    def _diagram(self) -> Tuple[Reals, Indices, Indices, Reals, Indices, Places]:
-        """Volumes; and of each facet the points, offset in a box, area, number of corners, and place."""
-        return _core.cell_facets(*self._tetrahedra, self._threads)
+    def _diagram(self) -> Tuple[Reals, Indices, Indices, Reals, Indices, Places, int]:
+        """Volumes; of each facet the points, offset in a box, area, number of corners, and place; and the exponent of the
+        power of 2 that is the unit of the areas."""
+        diagram = _core.cell_facets(*self._tetrahedra, self._threads)
+        for array in diagram[:-1]:
+            _read_only(array)
+        return diagram
 
     @cached_property
     def _volumes_of_cells(self) -> Reals:
         if "_diagram" in self.__dict__:  # they are there, too
-            volumes = self._diagram[0].copy()
-        else:
-            points, weights, simplices, _, in_box = self._tetrahedra
-            volumes = _core.cell_volumes(points, weights, simplices, in_box, self._threads)
-        volumes[self.convex_hull] = -1
-        return self._of_cells(volumes)
+            return _read_only(self._of_cells(self._diagram[0]))
+        return _read_only(self._of_cells(_core.cell_volumes(*self._tetrahedra, self._threads)))
+
+    @cached_property
+    def _scaled_areas_of_cells(self) -> Reals:
+        """In the unit of the facets."""
+        _, ends, _, areas, *_ = self._diagram
+        sums = np.bincount(ends.reshape(-1), np.repeat(areas, 2), self.npoints)
+        sums[self.convex_hull] = -1
+        return _read_only(self._of_cells(sums))
 
     @cached_property
     def _areas_of_cells(self) -> Reals:
-        _, ends, _, areas, _, _ = self._diagram
-        sums = np.bincount(ends.reshape(-1), np.repeat(areas, 2), self.npoints)
-        sums[self.convex_hull] = -1
-        return self._of_cells(sums)
+        return self._unscaled(self._scaled_areas_of_cells)
+
+    def _unscaled(self, areas: Reals) -> Reals:
+        exponent = self._diagram[-1]
+        if exponent == 0:  # as it nearly always is
+            return areas
+        with np.errstate(over="ignore", under="ignore"):
+            return _read_only(np.where(areas < 0, areas, np.ldexp(areas, exponent)))
 
     def _of_cells(self, values: Any) -> Any:
         """For each point the value of its vertex; 0 for points that are hidden."""
@@ -112,7 +130,8 @@ class Cells:
     @property
     def _facets_of_cells(self) -> Any:
         """PowerFacets, or PeriodicPowerFacets in a box."""
-        _, ends, offsets, areas, _, _ = self._diagram
+        _, ends, offsets, areas, *_ = self._diagram
+        areas = self._unscaled(areas)
         return PowerFacets(ends, areas) if self._in_box is None else PeriodicPowerFacets(ends, areas, offsets)
 
     @property
@@ -127,13 +146,13 @@ class Cells:
     def solid_angles(self) -> Reals:
         """(k, 2) float64: the solid angles of these facets as seen from the first and from the second point; -1 where
         the facets are unbounded. Those of a bounded Voronoi cell add up to 4 pi. With weights a point may lie beyond a
-        facet of its cell, whose angle is negative then, and for points outside of their cells they add up to 0. If the
-        point lies in the facet, rounding decides. (Van Oosterom, Strackee 1983)"""
+        facet of its cell, whose angle is negative then, and for points outside of their cells they add up to 0. From a point
+        in the plane of a facet, which is decided exactly, its angle is 0. (Van Oosterom, Strackee 1983)"""
         self._needs_space("solid_angles")
-        _, _, _, _, corners, places = self._diagram
+        _, _, _, _, corners, places, _ = self._diagram
         angles = _core.solid_angles(*self._tetrahedra, places, self._threads)
         angles[corners == 0] = 0
-        return angles
+        return _read_only(angles)
 
     def coordination(self, *, min_area: Radius = 0, min_solid_angle: Radius = 0) -> Indices:
         """Return the coordination number of each point: how many facets its cell has that are large enough. (n,) int32;
@@ -156,13 +175,13 @@ class Cells:
         for name, share in (("min_area", min_area), ("min_solid_angle", min_solid_angle)):
             if not isinstance(share, numbers.Real) or not 0 <= share <= 1:
                 raise ValueError(f"coordination: {name}: expected a share from 0 to 1, got {share!r}")
-        _, ends, _, areas, corners, _ = self._diagram
+        _, ends, _, areas, corners, *_ = self._diagram
         counts = np.repeat(corners > 0, 2).reshape(-1, 2)
         if min_area > 0:
-            counts &= areas[:, None] >= min_area * self._areas_of_cells[ends]
+            counts &= areas[:, None] >= min_area * self._scaled_areas_of_cells[ends]
         if min_solid_angle > 0:
             largest = np.zeros(self.npoints)
-            np.maximum.at(largest, ends, self.solid_angles)
+            np.fmax.at(largest, ends, self.solid_angles)
             counts &= self.solid_angles >= min_solid_angle * largest[ends]
         sums = np.bincount(ends[counts], minlength=self.npoints).astype(np.int32)
         sums[self.convex_hull] = -1

@@ -315,7 +315,8 @@ class Delaunay3(Cells):
     @property
     def voronoi_facets(self) -> PowerFacets:
         """The facets of the Voronoi diagram: one crosses each edge of the triangulation, at right angles, perhaps beyond
-        its ends. `facet_corners` and `solid_angles` have a row for each. Linear; at the peak 1 kB for each point."""
+        its ends. `facet_corners` and `solid_angles` have a row for each. Linear; at the peak 1.2 kB for each point. Arrays of
+        cells and facets, of which later answers are made, cannot be written to."""
         self._needs_space("voronoi_facets")
         return self._facets_of_cells
 
