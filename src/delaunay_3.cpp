@@ -3,9 +3,23 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // The C interface of the core. scripts/amalgamate joins this and all that it includes into one
-// file.
+// file, in which it writes DELAUNAY_3_THROW, _TRY and _CATCH for C++'s words: so it also compiles
+// with -fno-exceptions. With DELAUNAY_3_ONE_THREAD defined it uses no threads.
 
 #include "delaunay_3.h"
+
+#if defined(__cpp_exceptions) || defined(_CPPUNWIND)
+#define DELAUNAY_3_THROW(...) throw __VA_ARGS__
+#define DELAUNAY_3_TRY try
+#define DELAUNAY_3_CATCH(...) catch (__VA_ARGS__)
+#else
+template <class Error>
+[[noreturn]] void delaunay_3_end_call(const Error& error);
+#define DELAUNAY_3_NO_EXCEPTIONS
+#define DELAUNAY_3_THROW(...) delaunay_3_end_call(__VA_ARGS__)
+#define DELAUNAY_3_TRY
+#define DELAUNAY_3_CATCH(...) if (false)
+#endif
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -15,13 +29,16 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_periodic.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Marks.h>
-#include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
 #include <CGAL/Delaunay_from_surface_3/core/build_periodic.h>
 #include <CGAL/Delaunay_from_surface_3/core/build_regular.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+
+#ifndef DELAUNAY_3_ONE_THREAD
+#include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Marks.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -30,8 +47,13 @@
 #include <memory>
 #include <new>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
+
+#if defined(DELAUNAY_3_NO_EXCEPTIONS) && !defined(__wasm__)
+#include <csetjmp>
+#endif
 
 namespace core = CGAL::Delaunay_from_surface_3::core;
 
@@ -62,6 +84,8 @@ struct Refusal
   std::size_t where;
 };
 
+#ifndef DELAUNAY_3_NO_EXCEPTIONS
+
 // Calls f, and returns the status with which it ended.
 template <class F>
 delaunay_3_status status_of(std::size_t* where, const F& f)
@@ -78,6 +102,8 @@ delaunay_3_status status_of(std::size_t* where, const F& f)
     return refusal.status;
   } catch (const CGAL::Delaunay_from_surface_3::Too_many_cells&) {
     return DELAUNAY_3_TOO_MANY;
+  } catch (const CGAL::Surface_input_error&) {
+    return DELAUNAY_3_BAD_BOX;
   } catch (const std::length_error&) {
     return DELAUNAY_3_BAD_ARGUMENT;
   } catch (const std::invalid_argument&) { // the points have changed
@@ -89,12 +115,124 @@ delaunay_3_status status_of(std::size_t* where, const F& f)
   }
 }
 
+#else
+
+// Without exceptions the statuses are the same, but a call that ends early leaves its memory behind.
+
+constexpr std::size_t nowhere = std::size_t(-1);
+
+Refusal refusal_of(const Refusal& refusal)
+{
+  return refusal;
+}
+
+template <class Error>
+Refusal refusal_of(const Error&)
+{
+  using Too_many_cells = CGAL::Delaunay_from_surface_3::Too_many_cells;
+  constexpr bool is_bad_argument = std::is_same<Error, std::length_error>::value ||
+                                   std::is_same<Error, std::invalid_argument>::value;
+  return {std::is_same<Error, Too_many_cells>::value              ? DELAUNAY_3_TOO_MANY
+          : std::is_same<Error, CGAL::Surface_input_error>::value ? DELAUNAY_3_BAD_BOX
+          : is_bad_argument                                       ? DELAUNAY_3_BAD_ARGUMENT
+          : std::is_same<Error, std::bad_alloc>::value            ? DELAUNAY_3_NO_MEMORY
+                                                                  : DELAUNAY_3_FAILED,
+          nowhere};
+}
+
+#ifdef __wasm__
+
+// The host's function throws, in its language.
+extern "C" {
+__attribute__((import_module("delaunay_3"), import_name("end_call"), noreturn)) void
+delaunay_3_end_call_in_host(int status, std::size_t where);
+}
+
+[[noreturn]] void end_call(const Refusal& refusal)
+{
+  delaunay_3_end_call_in_host(refusal.status, refusal.where);
+}
+
+template <class F>
+Refusal ending_of(const F& f)
+{
+  f();
+  return {DELAUNAY_3_OK, nowhere};
+}
+
+#else
+
+struct Ending
+{
+  std::jmp_buf jump;
+  Refusal refusal;
+};
+thread_local Ending* ending_of_call = nullptr;
+
+[[noreturn]] void end_call(const Refusal& refusal)
+{
+  ending_of_call->refusal = refusal;
+  std::longjmp(ending_of_call->jump, 1);
+}
+
+// Calls f, and returns the reason why it ended early, if it did.
+template <class F>
+Refusal ending_of(const F& f)
+{
+  Ending ending = {{}, {DELAUNAY_3_OK, nowhere}};
+  ending_of_call = &ending;
+  if (setjmp(ending.jump) == 0)
+    f();
+  return ending.refusal;
+}
+
+#endif
+
+// Is what operator new calls when there is no memory.
+[[noreturn]] void end_without_memory()
+{
+  end_call({DELAUNAY_3_NO_MEMORY, nowhere});
+}
+
+template <class F>
+delaunay_3_status status_of(std::size_t* where, const F& f)
+{
+  const core::Rounding_to_nearest rounding;
+  if (core::obstacle_of_core() != nullptr)
+    return DELAUNAY_3_NOT_EXACT;
+  const std::new_handler handler = std::set_new_handler(end_without_memory);
+  const Refusal refusal = ending_of(f);
+  std::set_new_handler(handler);
+  if (where != nullptr && refusal.where != nowhere)
+    *where = refusal.where;
+  return refusal.status;
+}
+
+#endif
+
+#ifdef DELAUNAY_3_ONE_THREAD
+
+using Threads = core::Alone;
+
+Threads checked_threads(int threads)
+{
+  if (threads <= 0)
+    throw Refusal{DELAUNAY_3_BAD_ARGUMENT, 0};
+  return {};
+}
+
+#else
+
+using Threads = core::Thread_executor;
+
 std::size_t checked_threads(int threads)
 {
   if (threads <= 0)
     throw Refusal{DELAUNAY_3_BAD_ARGUMENT, 0};
   return (std::min)(std::size_t(threads), std::size_t(core::Marks::most_workers));
 }
+
+#endif
 
 void refuse_null(const void* array, std::size_t n = 1)
 {
@@ -155,7 +293,7 @@ private:
 };
 
 template <class Source>
-Arrays built_of(Source&& source, const core::Executor& executor)
+Arrays built_of(Source&& source, const Threads& executor)
 {
   core::Build_options options;
   options.adds_apex = true;
@@ -165,16 +303,12 @@ Arrays built_of(Source&& source, const core::Executor& executor)
 }
 
 Periodic_arrays built_in_box(const core::Point_array& points, const double* weights, const Box& box,
-                             const core::Executor& executor)
+                             const Threads& executor)
 {
   core::Observer nobody;
-  try {
-    core::Built_in_box built =
-        core::build_in_box(points, weights, box.data(), core::Build_options(), nobody, executor);
-    return core::arrays_of_box<std::int32_t>(built, points, box);
-  } catch (const CGAL::Surface_input_error&) {
-    throw Refusal{DELAUNAY_3_BAD_BOX, 0};
-  }
+  core::Built_in_box built =
+      core::build_in_box(points, weights, box.data(), core::Build_options(), nobody, executor);
+  return core::arrays_of_box<std::int32_t>(built, points, box);
 }
 
 template <class A>
@@ -208,7 +342,7 @@ delaunay_3_status delaunay_3_build(const double* points, size_t n, const int32_t
     *result = nullptr;
   return status_of(where, [&] {
     refuse_null(result);
-    const core::Thread_executor executor(checked_threads(threads));
+    const Threads executor(checked_threads(threads));
     const core::Point_array checked = checked_points(points, n);
     check_triangles(triangles, number_of_triangles, n);
     *result = std::make_unique<delaunay_3>(
@@ -224,7 +358,7 @@ delaunay_3_status delaunay_3_build_weighted(const double* points, const double* 
     *result = nullptr;
   return status_of(where, [&] {
     refuse_null(result);
-    const core::Thread_executor executor(checked_threads(threads));
+    const Threads executor(checked_threads(threads));
     const core::Point_array checked = checked_points(points, n);
     check_weights(weights, n);
     *result = std::make_unique<delaunay_3>(
@@ -243,7 +377,7 @@ delaunay_3_status delaunay_3_build_periodic(const double* points, const double* 
   return status_of(where, [&] {
     refuse_null(result);
     refuse_null(box);
-    const core::Thread_executor executor(checked_threads(threads));
+    const Threads executor(checked_threads(threads));
     const core::Point_array checked = checked_points(points, n);
     if (weights != nullptr)
       check_weights(weights, n);
@@ -306,7 +440,7 @@ delaunay_3_status delaunay_3_find(const delaunay_3* d, const double* points, siz
                                   int32_t* found, size_t* where)
 {
   return status_of(where, [&] {
-    const core::Thread_executor executor(checked_threads(threads));
+    const Threads executor(checked_threads(threads));
     refuse_null(d);
     refuse_null(found, n);
     const core::Point_array queries = checked_points(points, n);
@@ -350,3 +484,11 @@ int delaunay_3_is_valid(const delaunay_3* d, int level)
   });
   return status == DELAUNAY_3_OK ? is_valid : -int(status);
 }
+
+#ifdef DELAUNAY_3_NO_EXCEPTIONS
+template <class Error>
+void delaunay_3_end_call(const Error& error)
+{
+  end_call(refusal_of(error));
+}
+#endif

@@ -38,6 +38,8 @@ def determinant(a, b, c, d):
 
 
 class OneFile(unittest.TestCase):
+    flags, left_out = ["-pthread"], r"\S*/(?:CGAL|boost|tbb)/\S*"
+
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
@@ -45,12 +47,11 @@ class OneFile(unittest.TestCase):
         cls.path = Path(cls.folder.name)
         subprocess.run([sys.executable, "-B", ROOT / "scripts/amalgamate", cls.path], check=True,
                        stdout=subprocess.DEVNULL)
-        compiler = [*os.environ.get("CXX", "c++").split(), "-std=c++17", "-O1", "-Wall", "-Wextra", "-Werror"]
+        compiler = [*os.environ.get("CXX", "c++").split(), "-std=c++17", "-O1", "-Wall", "-Wextra", "-Werror", *cls.flags]
         cls.headers = subprocess.run([*compiler, "-M", "delaunay_3.cpp"], cwd=cls.path, check=True, capture_output=True,
                                      text=True).stdout
         cls.library = cls.path / "libdelaunay_3.so"
-        subprocess.run([*compiler, "-shared", "-fPIC", "delaunay_3.cpp", "-o", cls.library, "-pthread"], cwd=cls.path,
-                       check=True)
+        subprocess.run([*compiler, "-shared", "-fPIC", "delaunay_3.cpp", "-o", cls.library], cwd=cls.path, check=True)
         ctypes.CDLL(None).mallopt(-8, 1)  # M_ARENA_MAX: memory that threads have had can be given back
         cls.c = ctypes.CDLL(str(cls.library))
         cls.c.delaunay_3_message.restype = ctypes.c_char_p
@@ -66,7 +67,7 @@ class OneFile(unittest.TestCase):
         return status, d, where.value
 
     def test_needs_no_other_headers(self):
-        self.assertEqual(re.findall(r"\S*/(?:CGAL|boost|tbb)/\S*", self.headers), [])
+        self.assertEqual(re.findall(self.left_out, self.headers), [])
 
     def test_program(self):
         program = self.path / "triangulate"
@@ -299,6 +300,13 @@ class OneFile(unittest.TestCase):
                    "      c.delaunay_3_find(None, p, n, 1, p, None), c.delaunay_3_is_valid(None, 3))")
         done = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True)
         self.assertEqual(done.stdout, f"{NOT_EXACT} None {NOT_EXACT} {-NOT_EXACT}\n")
+
+
+class OneThreadWithoutExceptions(OneFile):
+    """The same results and statuses."""
+    flags = ["-fno-exceptions", "-DDELAUNAY_3_ONE_THREAD"]
+    left_out = r"\S*/(?:CGAL|boost|tbb|thread|mutex|condition_variable)(?:/\S*)?(?!\S)"
+    test_compiled_for_speed_alone = None
 
 
 if __name__ == "__main__":
