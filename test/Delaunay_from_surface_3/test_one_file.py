@@ -2,7 +2,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""What scripts/amalgamate makes includes no header of others, and serves a C program; its nine functions one by one."""
+"""What scripts/amalgamate makes includes no header of others, and serves a C program; its functions one by one, with
+threads and exceptions and without."""
 
 import ctypes
 import math
@@ -18,7 +19,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "examples/Delaunay_from_surface_3/without_cgal/triangulate.c"
-OK, NOT_FINITE, BAD_INDEX, BAD_ARGUMENT, TOO_MANY, NO_MEMORY, FAILED, NOT_EXACT, BAD_BOX = range(9)
+OK, NOT_FINITE, BAD_INDEX, BAD_ARGUMENT, TOO_MANY, NO_MEMORY, FAILED, NOT_EXACT, BAD_BOX, STOPPED, NO_INSIDE = range(11)
+GO_FURTHER = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_double)
 
 
 class Cells(ctypes.Structure):
@@ -183,6 +185,57 @@ class OneFile(unittest.TestCase):
             else:
                 self.assertGreaterEqual(found[i], 0)
 
+    def test_watched(self):
+        rng = random.Random(4)
+        points = array(ctypes.c_double, [rng.random() for _ in range(30000)])
+        weights = array(ctypes.c_double, [rng.random() * .001 for _ in range(10000)])
+        for given in (None, weights):
+            for box in (None, array(ctypes.c_double, [1, 1, 1])):
+                for last in (.3, 2):
+                    shares, d = [], ctypes.c_void_p()
+                    go_further = GO_FURTHER(lambda data, share: shares.append((data, share)) or share < last)
+                    status = self.c.delaunay_3_build_watched(points, given, ctypes.c_size_t(10000), box, 2, go_further,
+                                                             ctypes.c_void_p(7), ctypes.byref(d), None)
+                    self.assertEqual((status, d.value is None), (STOPPED, True) if last < 1 else (OK, False))
+                    self.assertTrue(all(data == 7 and 0 <= share <= 1 for data, share in shares))
+                    self.assertEqual(shares, sorted(shares))
+                    self.assertGreater(len(shares), 10)
+                    self.c.delaunay_3_free(d)
+
+    def test_winding_numbers(self):
+        """Of two cubes, one in the other and turned: 1 between them, and 0 within the inner one."""
+        points, faces = [], []
+        for size, rounds in ((3, 1), (1, -1)):
+            first = len(points) // 3
+            points += [float(size * (1 - 2 * (i >> axis & 1))) for i in range(8) for axis in range(3)]
+            for axis in range(3):
+                b, c = 1 << (axis + 1) % 3, 1 << (axis + 2) % 3
+                for base in (0, 1 << axis):
+                    corners = [first + base + k for k in (0, b, b + c, c)][::rounds * (1 if base else -1)]
+                    faces += corners[:3] + [corners[0], *corners[2:]]
+        cells = Cells()
+        for turned in (faces, faces[::-1]):
+            status, d, _ = self.build(points)
+            self.c.delaunay_3_get(d, ctypes.byref(cells))
+            numbers = array(ctypes.c_double, [7.] * cells.number)
+            find = lambda given, threads=1: self.c.delaunay_3_winding_numbers(
+                d, array(ctypes.c_int32, given), ctypes.c_size_t(len(given) // 3), threads, numbers, None)
+            for threads in (1, 2):
+                self.assertEqual(find(turned, threads), OK)
+                for c in range(cells.number):
+                    is_inner = all(v >= 8 for v in cells.vertices[c * cells.stride:c * cells.stride + 4])
+                    self.assertAlmostEqual(abs(numbers[c]), 0 if is_inner else 1, places=6)
+            self.assertEqual(find([0, 1, 16]), BAD_INDEX)
+            self.assertEqual(find(faces, 0), BAD_ARGUMENT)
+            self.assertEqual(find([]), BAD_ARGUMENT)
+            self.assertEqual(find(faces[:3]), NO_INSIDE)
+            self.c.delaunay_3_free(d)
+        self.assertEqual(self.c.delaunay_3_winding_numbers(None, array(ctypes.c_int32, faces), ctypes.c_size_t(1), 1, numbers, None),
+                         BAD_ARGUMENT)
+        for d in (self.build_weighted(points, [0.] * 16)[1], self.build_periodic(points, (9, 9, 9))[1], self.build(points[:9])[1]):
+            self.assertEqual(find(faces), BAD_ARGUMENT)
+            self.c.delaunay_3_free(d)
+
     def test_bad_boxes(self):
         points = [.1 * i * i % 1 for i in range(60)]
         for wrong in (0, -1, math.nan, 1e-6):
@@ -232,8 +285,9 @@ class OneFile(unittest.TestCase):
         status = self.c.delaunay_3_find(d, queries, ctypes.c_size_t(2), 1, found, ctypes.byref(where))
         self.assertEqual((status, where.value), (NOT_FINITE, 1))
         self.c.delaunay_3_free(d)
-        messages = [self.c.delaunay_3_message(status) for status in range(9)]
-        self.assertEqual(len(set(messages)), 9)
+        messages = [self.c.delaunay_3_message(status) for status in range(12)]
+        self.assertEqual(len(set(messages)), 11)
+        self.assertEqual(messages[FAILED], messages[11])
 
     def test_sizes_are_not_believed(self):
         _, d, _ = self.build([0.] * 30)
