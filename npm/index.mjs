@@ -166,11 +166,9 @@ function periods(box) {
   return Float64Array.from(box, (period) => number(period ?? Infinity, "box"));
 }
 
-// Of rows with `stride` numbers the first `width`.
-function shortened(rows, stride, width) {
-  if (stride === width)
-    return rows.slice();
-  const n = rows.length / stride, result = new rows.constructor(n * width);
+// The first `width` numbers of each of n rows, which are `stride` numbers apart.
+function shortened(rows, n, stride, width) {
+  const result = new Int32Array(n * width);
   for (let i = 0; i < n; ++i)
     for (let k = 0; k < width; ++k)
       result[i * width + k] = rows[i * stride + k];
@@ -229,8 +227,10 @@ class Delaunay3 {
   }
 
   #rows(address) {
-    const {number, stride} = this.#cells;
-    return shortened(this.#library.view(Int32Array, address, number * stride), stride, this.dimension + 1);
+    const {number, stride} = this.#cells, width = this.dimension + 1;
+    if (number === 0)
+      return new Int32Array(0);
+    return shortened(this.#library.view(Int32Array, address, (number - 1) * stride + width), number, stride, width);
   }
 
   get simplices() {
@@ -361,7 +361,7 @@ class Thread {
       else
         reject(new Delaunay3Error(error.status ?? "FAILED", error.message, error.where));
     };
-    worker.onerror = (event) => this.close(new Delaunay3Error("FAILED", `the worker has ended: ${event.message}`));
+    worker.onerror = (event) => this.close(new Delaunay3Error("FAILED", `the worker has ended: ${event.message ?? "its script was not found"}`));
   }
 
   ask(what, ...values) {

@@ -15,6 +15,9 @@
  *       use(cells.vertices + c * cells.stride);
  *     delaunay_3_free(d);
  *   }
+ *
+ * Compiled with -DDELAUNAY_3_ONE_THREAD it needs no threads, and uses one however many are asked for. Compiled
+ * with -fno-exceptions it returns the same statuses, but a call that fails leaves its memory behind.
  */
 
 #ifndef DELAUNAY_3_H
