@@ -16,6 +16,9 @@
 template <class Error>
 [[noreturn]] void delaunay_3_end_call(const Error& error);
 #define DELAUNAY_3_NO_EXCEPTIONS
+#ifndef DELAUNAY_3_ONE_THREAD
+#define DELAUNAY_3_ONE_THREAD // a call that ends early would leave its threads behind, too
+#endif
 #define DELAUNAY_3_THROW(...) delaunay_3_end_call(__VA_ARGS__)
 #define DELAUNAY_3_TRY
 #define DELAUNAY_3_CATCH(...) if (false)

@@ -16,8 +16,8 @@
  *     delaunay_3_free(d);
  *   }
  *
- * Compiled with -DDELAUNAY_3_ONE_THREAD it needs no threads, and uses one however many are asked for. Compiled
- * with -fno-exceptions it returns the same statuses, but a call that fails leaves its memory behind.
+ * Compiled with -DDELAUNAY_3_ONE_THREAD it needs no threads, and uses one however many are asked for. The
+ * same holds with -fno-exceptions; statuses are as ever, but a call that fails leaves its memory behind.
  */
 
 #ifndef DELAUNAY_3_H

@@ -78,6 +78,16 @@ class OneFile(unittest.TestCase):
         done = subprocess.run([program], check=True, capture_output=True, text=True)
         self.assertRegex(done.stdout, r"^valid: points \d+, \d+, \d+ and \d+ of 10000 are around the middle\n$")
 
+    def test_one_thread(self):
+        """At -O0, as it is compiled faster."""
+        program, source = self.path / "alone", self.path / "delaunay_3.cpp"
+        compiler = [*os.environ.get("CXX", "c++").split(), "-std=c++17", "-Wall", "-Wextra", "-Werror", "-DDELAUNAY_3_ONE_THREAD"]
+        headers = subprocess.run([*compiler, "-M", source], check=True, capture_output=True, text=True).stdout
+        self.assertEqual(re.findall(WithoutExceptions.left_out, headers), [])
+        subprocess.run(["cc", "-c", f"-I{self.path}", PROGRAM, "-o", self.path / "alone.o"], check=True)
+        subprocess.run([*compiler, source, self.path / "alone.o", "-o", program], check=True)
+        self.assertRegex(subprocess.run([program], check=True, capture_output=True, text=True).stdout, "^valid: ")
+
     def test_triangulations(self):
         rng = random.Random(1)
         cube = [rng.random() for _ in range(3000)]
@@ -356,11 +366,11 @@ class OneFile(unittest.TestCase):
         self.assertEqual(done.stdout, f"{NOT_EXACT} None {NOT_EXACT} {-NOT_EXACT}\n")
 
 
-class OneThreadWithoutExceptions(OneFile):
-    """The same results and statuses."""
-    flags = ["-fno-exceptions", "-DDELAUNAY_3_ONE_THREAD"]
+class WithoutExceptions(OneFile):
+    """On one thread the same results and statuses."""
+    flags = ["-fno-exceptions"]
     left_out = r"\S*/(?:CGAL|boost|tbb|thread|mutex|condition_variable)(?:/\S*)?(?!\S)"
-    test_compiled_for_speed_alone = None
+    test_compiled_for_speed_alone = test_one_thread = None
 
 
 if __name__ == "__main__":
