@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: LGPL-3.0-or-later
  *
- * 3D Delaunay triangulations, for C and for all languages that can call C. Nine functions compute
- * exactly, with any number of threads. The result equals CGAL's Delaunay_triangulation_3, or its
+ * 3D Delaunay triangulations, for C and for all languages that can call C. They are
+ * exact, with any number of threads. The result equals CGAL's Delaunay_triangulation_3, or its
  * Regular_triangulation_3 for points with weights, but CGAL is not needed. Points may also lie in a
  * periodic box.
  *
@@ -15,6 +15,9 @@
  *       use(cells.vertices + c * cells.stride);
  *     delaunay_3_free(d);
  *   }
+ *
+ * Compiled with -DDELAUNAY_3_ONE_THREAD it needs no threads, and uses one however many are asked for. The
+ * same holds with -fno-exceptions; statuses are as ever, but a call that fails leaves its memory behind.
  */
 
 #ifndef DELAUNAY_3_H
@@ -40,10 +43,13 @@ typedef enum delaunay_3_status {
   DELAUNAY_3_NOT_EXACT, /* the library is compiled with -ffast-math, -Ofast or parts of them, or
                            denormal numbers become zero in a mode that cannot be left; checked at
                            each call */
-  DELAUNAY_3_BAD_BOX /* a period is not positive, less than 1/10000 of the diagonal of the box, or so
+  DELAUNAY_3_BAD_BOX, /* a period is not positive, less than 1/10000 of the diagonal of the box, or so
                         small that points are 2^29 of them away or corners of a cell more than 32767
                         of them apart; or the points lie in a plane or on a line parallel to all axes
                         with periods */
+  DELAUNAY_3_STOPPED, /* the caller's function returned 0 */
+  DELAUNAY_3_NO_INSIDE /* the surface is not orientable, or so open that less volume is surely inside
+                          than in doubt */
 } delaunay_3_status;
 
 /* Corner k of cell c is point vertices[c * stride + k]; the neighbour opposite to it is cell
@@ -64,7 +70,7 @@ typedef struct delaunay_3_cells
 
 /* Triangulates n points, given by three coordinates each. Triangles of a surface on the points,
  * given by three indices each, are checked and never change the result; there may be none. The last
- * two functions read points and weights again, so these must stay where they are. If a point or triangle is
+ * three functions read points and weights again, so these must stay where they are. If a point or triangle is
  * refused, *where is its number; after any failure, *result is null. `where` may be null, but
  * `result` may not; `points` and `triangles` may be null if there are none. */
 delaunay_3_status delaunay_3_build(const double* points, size_t n, const int32_t* triangles,
@@ -86,6 +92,14 @@ delaunay_3_status delaunay_3_build_periodic(const double* points, const double* 
                                             const double* box, int threads, delaunay_3** result,
                                             size_t* where);
 
+/* Does what any of the three does; `weights` and `box` may be null. Calls go_further(data, share), in
+ * this thread, every 256 points or more often, with the share of the points that are inserted. The call
+ * ends with DELAUNAY_3_STOPPED when that returns 0. */
+delaunay_3_status delaunay_3_build_watched(const double* points, const double* weights, size_t n,
+                                           const double* box, int threads,
+                                           int (*go_further)(void* data, double share), void* data,
+                                           delaunay_3** result, size_t* where);
+
 /* Returns these offsets, which live as long as the triangulation; null if there are none. */
 const int16_t* delaunay_3_offsets(const delaunay_3* d);
 
@@ -102,6 +116,15 @@ void delaunay_3_free(delaunay_3* d); /* d may be null */
  * it; a point that is 2^29 or more periods away is a bad argument. */
 delaunay_3_status delaunay_3_find(const delaunay_3* d, const double* points, size_t n, int threads,
                                   int32_t* found, size_t* where);
+
+/* Finds the winding number of a surface at the mean of the corners of each tetrahedron, up to about 0.01:
+ * one number for each, about 1 or -1 inside a closed surface. A tetrahedron is inside if it is at least
+ * 1/2 or at most -1/2. Triangles, given as above, may have gaps and overlap; those that disagree with
+ * their neighbours are turned. Bad arguments are points in a plane, with weights or in a box, and no
+ * triangles. */
+delaunay_3_status delaunay_3_winding_numbers(const delaunay_3* d, const int32_t* triangles,
+                                             size_t number_of_triangles, int threads, double* numbers,
+                                             size_t* where);
 
 /* Returns 1 if it is the Delaunay or regular triangulation, else 0; or, with a minus sign, the status that
  * prevented the check (without memory it may still be valid; a box is a bad argument). Level 0 checks

@@ -31,6 +31,7 @@ MAIN_PAGE = "doc/Delaunay_from_surface_3/Delaunay_from_surface_3.txt"
 BENCHMARK = "benchmark/Delaunay_from_surface_3/README.md"
 PAPER = "doc/Delaunay_from_surface_3/The_paper.txt"
 PYTHON = "python/README.md"
+NPM = "npm/README.md"
 HOW_FAST = "doc/Delaunay_from_surface_3/How_fast.txt"
 
 SHOWS = {  # in the table of the benchmark's README
@@ -77,6 +78,8 @@ SHOWS = {  # in the table of the benchmark's README
     "python_faults": "tetrahedra that these, a function of Open3D, SciPy and VTK miss, or that overlap",
     "python_topology": "filtrations of alpha complexes beside GUDHI's",
     "python_interpolation": "interpolators beside SciPy's",
+    "npm": "the npm package beside the same C++ compiled natively: times, sizes",
+    "npm_peers": "the same beside other packages: times, wrong tetrahedra",
     "python_learning": "points that move in every step, what changes, and batches, beside SciPy and TetGen",
     "python_materials": "Voronoi cells in a periodic box beside Voro++ and SciPy",
     "python_gaussians": "`triangulate()` of points of Gaussians",
@@ -144,6 +147,7 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (PYTHON, "threads", ["python_threads"], use_tables.python_threads),
     (PYTHON, "topology", ["python_topology"], kit_tables.topology),
     (PYTHON, "interpolation", ["python_interpolation"], kit_tables.interpolation),
+    (NPM, "npm", ["npm", "npm_peers"], kit_tables.npm),
     (PYTHON, "learning", ["python_learning"], kit_tables.learning),
     (PYTHON, "materials", ["python_materials"], kit_tables.materials),
     (PYTHON, "gaussians", ["python_gaussians", "gaussians_2M", "gaussians_5M", "gaussians_10M"], use_tables.gaussians),

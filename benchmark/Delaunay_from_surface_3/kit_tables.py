@@ -2,10 +2,10 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""What the kits of the Python module gain, from what measure_learning.py, measure_topology.py, measure_materials.py and
-measure_interpolation.py wrote."""
+"""What the kits of the Python module and the npm package gain, from what measure_learning.py, measure_topology.py,
+measure_materials.py, measure_interpolation.py and measure_npm.py wrote."""
 
-from manual_tables import measured, table, thousands
+from manual_tables import cell, measured, table, thousands
 from speed_tables import two
 
 
@@ -58,3 +58,34 @@ def materials(report):
         "angles take beside them; SciPy's are volumes alone, without a box. And the peak of memory of the whole process. "
         f"{measured(report)}",
         table(["atoms", "number", "this module, s", "solid angles, s", "Voro++, s", "SciPy, s", "this module, MB", "Voro++, MB"], rows)])
+
+
+def wrong_of(way):
+    """What is wrong with tetrahedra: flat, facets of those that overlap, facets within the hull where there is a gap."""
+    found = way.get("tetrahedra", {})
+    names = {"flat": "flat", "facets_of_overlapping": "overlaps", "facets_without_neighbor": "gaps"}
+    faults = [f"{found[key]:,} {name}" for key, name in names.items() if found.get(key)]
+    return f' ({", ".join(faults)})' if faults else ""
+
+
+def npm(report, peers_report):
+    """A call beside the native core and other packages, and sizes."""
+    peers = peers_report["peers"]
+    of_peers = {(r["what"], r["points"]): r["ways"] for r in peers_report["results"]}
+    limits = sorted({way["left_out"] for ways in of_peers.values() for way in ways.values() if "left_out" in way})
+    rows, size = [], report["bytes"]
+    for r in report["results"]:
+        ways, others = r["ways"], of_peers[r["what"], r["points"]]
+        if not ways["delaunay-3"]["same_as_native"]:
+            raise ValueError(f"{r['what']}: WebAssembly has other tetrahedra")
+        ours, native = (ways[name]["least_cpu"] for name in ("delaunay-3", "native"))
+        rows.append([r["what"], thousands(r["points"]), f"{ours:.3f}", f"{native:.3f}",
+                     *(cell(others.get(peer, {}).get("median_cpu"), "{:.2f}") + wrong_of(others.get(peer, {})) for peer in peers)])
+    return "\n\n".join([
+        f"CPU seconds of the first call in a process, in which WebAssembly is still being compiled. Node.js {report['node']}; "
+        f"{', '.join(f'`{peer}` {version}' for peer, version in peers.items())}. In parentheses what is wrong: flat tetrahedra, "
+        "facets of tetrahedra that overlap, and facets within the hull with one tetrahedron, as another is missing. "
+        f"{measured(report, peers_report)}",
+        table(["", "points", "`delaunay-3`", "the same C++ natively", *(f"`{peer}`" for peer in peers)], rows),
+        f"–: {', '.join(limits)}, or not tried. `delaunay_3.wasm` has {size['wasm'] / 1e3:.0f} kB, by gzip "
+        f"{size['wasm_gzip'] / 1e3:.0f} kB; the tarball of the package {size['tarball'] / 1e3:.0f} kB."])

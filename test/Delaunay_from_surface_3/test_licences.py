@@ -32,10 +32,11 @@ class Licences(unittest.TestCase):
             for path in (INCLUDE / "CGAL" / "Delaunay_from_surface_3" / room).rglob("*.h"):
                 self.assertEqual(self.licences[path], LESSER, path)
 
-    def test_python_is_lesser(self):
-        """It includes the package's own headers, and those of lesser rooms alone."""
+    def test_python_and_npm_are_lesser(self):
+        """They include the package's own headers, and those of lesser rooms alone."""
         files = [path for pattern in ("*.cpp", "*.h", "*.py") for path in sorted((ROOT / "python").rglob(pattern))]
         self.assertGreater(len(files), 10)
+        files += [path for name in ("host.cpp", "index.mjs", "worker.mjs", "index.d.ts") for path in [ROOT / "npm" / name]]
         for path in files:
             self.assertEqual(licence(path), LESSER, path)
             for name in re.findall(r"#include <CGAL/(.+)>", path.read_text(encoding="utf-8")):

@@ -2,7 +2,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""What scripts/amalgamate makes includes no header of others, and serves a C program; its nine functions one by one."""
+"""What scripts/amalgamate makes includes no header of others, and serves a C program; its functions one by one, with
+threads and exceptions and without."""
 
 import ctypes
 import math
@@ -18,7 +19,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "examples/Delaunay_from_surface_3/without_cgal/triangulate.c"
-OK, NOT_FINITE, BAD_INDEX, BAD_ARGUMENT, TOO_MANY, NO_MEMORY, FAILED, NOT_EXACT, BAD_BOX = range(9)
+OK, NOT_FINITE, BAD_INDEX, BAD_ARGUMENT, TOO_MANY, NO_MEMORY, FAILED, NOT_EXACT, BAD_BOX, STOPPED, NO_INSIDE = range(11)
+GO_FURTHER = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_double)
 
 
 class Cells(ctypes.Structure):
@@ -38,6 +40,8 @@ def determinant(a, b, c, d):
 
 
 class OneFile(unittest.TestCase):
+    flags, left_out = ["-pthread"], r"\S*/(?:CGAL|boost|tbb)/\S*"
+
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
@@ -45,12 +49,11 @@ class OneFile(unittest.TestCase):
         cls.path = Path(cls.folder.name)
         subprocess.run([sys.executable, "-B", ROOT / "scripts/amalgamate", cls.path], check=True,
                        stdout=subprocess.DEVNULL)
-        compiler = [*os.environ.get("CXX", "c++").split(), "-std=c++17", "-O1", "-Wall", "-Wextra", "-Werror"]
+        compiler = [*os.environ.get("CXX", "c++").split(), "-std=c++17", "-O1", "-Wall", "-Wextra", "-Werror", *cls.flags]
         cls.headers = subprocess.run([*compiler, "-M", "delaunay_3.cpp"], cwd=cls.path, check=True, capture_output=True,
                                      text=True).stdout
         cls.library = cls.path / "libdelaunay_3.so"
-        subprocess.run([*compiler, "-shared", "-fPIC", "delaunay_3.cpp", "-o", cls.library, "-pthread"], cwd=cls.path,
-                       check=True)
+        subprocess.run([*compiler, "-shared", "-fPIC", "delaunay_3.cpp", "-o", cls.library], cwd=cls.path, check=True)
         ctypes.CDLL(None).mallopt(-8, 1)  # M_ARENA_MAX: memory that threads have had can be given back
         cls.c = ctypes.CDLL(str(cls.library))
         cls.c.delaunay_3_message.restype = ctypes.c_char_p
@@ -66,7 +69,7 @@ class OneFile(unittest.TestCase):
         return status, d, where.value
 
     def test_needs_no_other_headers(self):
-        self.assertEqual(re.findall(r"\S*/(?:CGAL|boost|tbb)/\S*", self.headers), [])
+        self.assertEqual(re.findall(self.left_out, self.headers), [])
 
     def test_program(self):
         program = self.path / "triangulate"
@@ -74,6 +77,16 @@ class OneFile(unittest.TestCase):
                         self.library, "-o", program, f"-Wl,-rpath,{self.path}"], check=True)
         done = subprocess.run([program], check=True, capture_output=True, text=True)
         self.assertRegex(done.stdout, r"^valid: points \d+, \d+, \d+ and \d+ of 10000 are around the middle\n$")
+
+    def test_one_thread(self):
+        """At -O0, as it is compiled faster."""
+        program, source = self.path / "alone", self.path / "delaunay_3.cpp"
+        compiler = [*os.environ.get("CXX", "c++").split(), "-std=c++17", "-Wall", "-Wextra", "-Werror", "-DDELAUNAY_3_ONE_THREAD"]
+        headers = subprocess.run([*compiler, "-M", source], check=True, capture_output=True, text=True).stdout
+        self.assertEqual(re.findall(WithoutExceptions.left_out, headers), [])
+        subprocess.run(["cc", "-c", f"-I{self.path}", PROGRAM, "-o", self.path / "alone.o"], check=True)
+        subprocess.run([*compiler, source, self.path / "alone.o", "-o", program], check=True)
+        self.assertRegex(subprocess.run([program], check=True, capture_output=True, text=True).stdout, "^valid: ")
 
     def test_triangulations(self):
         rng = random.Random(1)
@@ -182,6 +195,57 @@ class OneFile(unittest.TestCase):
             else:
                 self.assertGreaterEqual(found[i], 0)
 
+    def test_watched(self):
+        rng = random.Random(4)
+        points = array(ctypes.c_double, [rng.random() for _ in range(30000)])
+        weights = array(ctypes.c_double, [rng.random() * .001 for _ in range(10000)])
+        for given in (None, weights):
+            for box in (None, array(ctypes.c_double, [1, 1, 1])):
+                for last in (.3, 2):
+                    shares, d = [], ctypes.c_void_p()
+                    go_further = GO_FURTHER(lambda data, share: shares.append((data, share)) or share < last)
+                    status = self.c.delaunay_3_build_watched(points, given, ctypes.c_size_t(10000), box, 2, go_further,
+                                                             ctypes.c_void_p(7), ctypes.byref(d), None)
+                    self.assertEqual((status, d.value is None), (STOPPED, True) if last < 1 else (OK, False))
+                    self.assertTrue(all(data == 7 and 0 <= share <= 1 for data, share in shares))
+                    self.assertEqual(shares, sorted(shares))
+                    self.assertGreater(len(shares), 10)
+                    self.c.delaunay_3_free(d)
+
+    def test_winding_numbers(self):
+        """Of two cubes, one in the other and turned: 1 between them, and 0 within the inner one."""
+        points, faces = [], []
+        for size, rounds in ((3, 1), (1, -1)):
+            first = len(points) // 3
+            points += [float(size * (1 - 2 * (i >> axis & 1))) for i in range(8) for axis in range(3)]
+            for axis in range(3):
+                b, c = 1 << (axis + 1) % 3, 1 << (axis + 2) % 3
+                for base in (0, 1 << axis):
+                    corners = [first + base + k for k in (0, b, b + c, c)][::rounds * (1 if base else -1)]
+                    faces += corners[:3] + [corners[0], *corners[2:]]
+        cells = Cells()
+        for turned in (faces, faces[::-1]):
+            status, d, _ = self.build(points)
+            self.c.delaunay_3_get(d, ctypes.byref(cells))
+            numbers = array(ctypes.c_double, [7.] * cells.number)
+            find = lambda given, threads=1: self.c.delaunay_3_winding_numbers(
+                d, array(ctypes.c_int32, given), ctypes.c_size_t(len(given) // 3), threads, numbers, None)
+            for threads in (1, 2):
+                self.assertEqual(find(turned, threads), OK)
+                for c in range(cells.number):
+                    is_inner = all(v >= 8 for v in cells.vertices[c * cells.stride:c * cells.stride + 4])
+                    self.assertAlmostEqual(abs(numbers[c]), 0 if is_inner else 1, places=6)
+            self.assertEqual(find([0, 1, 16]), BAD_INDEX)
+            self.assertEqual(find(faces, 0), BAD_ARGUMENT)
+            self.assertEqual(find([]), BAD_ARGUMENT)
+            self.assertEqual(find(faces[:3]), NO_INSIDE)
+            self.c.delaunay_3_free(d)
+        self.assertEqual(self.c.delaunay_3_winding_numbers(None, array(ctypes.c_int32, faces), ctypes.c_size_t(1), 1, numbers, None),
+                         BAD_ARGUMENT)
+        for d in (self.build_weighted(points, [0.] * 16)[1], self.build_periodic(points, (9, 9, 9))[1], self.build(points[:9])[1]):
+            self.assertEqual(find(faces), BAD_ARGUMENT)
+            self.c.delaunay_3_free(d)
+
     def test_bad_boxes(self):
         points = [.1 * i * i % 1 for i in range(60)]
         for wrong in (0, -1, math.nan, 1e-6):
@@ -231,8 +295,9 @@ class OneFile(unittest.TestCase):
         status = self.c.delaunay_3_find(d, queries, ctypes.c_size_t(2), 1, found, ctypes.byref(where))
         self.assertEqual((status, where.value), (NOT_FINITE, 1))
         self.c.delaunay_3_free(d)
-        messages = [self.c.delaunay_3_message(status) for status in range(9)]
-        self.assertEqual(len(set(messages)), 9)
+        messages = [self.c.delaunay_3_message(status) for status in range(12)]
+        self.assertEqual(len(set(messages)), 11)
+        self.assertEqual(messages[FAILED], messages[11])
 
     def test_sizes_are_not_believed(self):
         _, d, _ = self.build([0.] * 30)
@@ -299,6 +364,13 @@ class OneFile(unittest.TestCase):
                    "      c.delaunay_3_find(None, p, n, 1, p, None), c.delaunay_3_is_valid(None, 3))")
         done = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True)
         self.assertEqual(done.stdout, f"{NOT_EXACT} None {NOT_EXACT} {-NOT_EXACT}\n")
+
+
+class WithoutExceptions(OneFile):
+    """On one thread the same results and statuses."""
+    flags = ["-fno-exceptions"]
+    left_out = r"\S*/(?:CGAL|boost|tbb|thread|mutex|condition_variable)(?:/\S*)?(?!\S)"
+    test_compiled_for_speed_alone = test_one_thread = None
 
 
 if __name__ == "__main__":

@@ -103,7 +103,7 @@ class ProjectFiles(unittest.TestCase):
                 self.assertTrue((ROOT / script).exists(), f"{path}: {script}")
 
     def test_what_is_called_supported_has_a_test(self):
-        tests = "".join(map(read, ("test/Delaunay_from_surface_3/consumers/CMakeLists.txt", "python/CMakeLists.txt",
+        tests = "".join(map(read, ("test/Delaunay_from_surface_3/consumers/CMakeLists.txt", "python/CMakeLists.txt", "npm/CMakeLists.txt",
                                    "test/Delaunay_from_surface_3/CMakeLists.txt")))
         rows = re.findall(r"^\| .* \| (supported.*) \|$", read("packaging/README.md"), re.MULTILINE)
         self.assertGreater(len(rows), 4)

@@ -175,7 +175,7 @@ public:
     for (std::size_t k = n * part / parts; k < last; ++k) {
       const Neighbors_out& ahead = m_neighbors_out[(std::min)(k + prefetch_distance, last - 1)];
       prefetch(cells.address(ahead.there >> 2));
-      const Neighbors_out& near = m_neighbors_out[(std::min)(k + near_prefetch_distance, last - 1)];
+      const Neighbors_out& near = m_neighbors_out[(std::min)(k + prefetch_distance / 2, last - 1)];
       prefetch(&*cells[near.there >> 2]);
       const Neighbors_out& out = m_neighbors_out[k];
       const Cell_handle here = cells[out.here >> 2], there = cells[out.there >> 2];
