@@ -90,16 +90,18 @@ struct Values
 {
   const double* data;
   std::size_t columns;
-  bool are_finite;
 
   explicit Values(const Reals& values)
     : data(values.data())
     , columns(std::size_t(values.shape(1)))
-    , are_finite(std::all_of(data, data + values.size(), [](double x) { return std::isfinite(x); }))
   {
   }
 
   const double* row(Index v) const { return data + columns * std::size_t(v); }
+  bool are_finite(Index v) const
+  {
+    return std::all_of(row(v), row(v) + columns, [](double x) { return std::isfinite(x); });
+  }
 
   // Adds the row of v. A value that is not finite counts only where its weight is more than `least`.
   void add(double weight, Index v, double* to, double least = 0) const
@@ -498,20 +500,20 @@ private:
     return axis;
   }
 
-  // Weighs by distances along one axis: that in which the ends, scaled unless all are small, differ most.
+  // Weighs by distances along one axis: that in which the ends differ most. There huge coordinates are
+  // scaled, whose differences might overflow.
   void weigh_on_edge(const Point& q, std::size_t i, std::size_t j)
   {
     const Point &a = m_places[i], &b = m_places[j];
-    double largest = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      largest = (std::max)({largest, std::abs(a[axis]), std::abs(b[axis])});
-    const double scale = largest > 0x1p1000 ? .25 : 1;
-    double most = 0;
+    double most = 0; // a fourth of the difference
     for (std::size_t axis = 0; axis < 3; ++axis) {
+      const bool is_huge = (std::max)(std::abs(a[axis]), std::abs(b[axis])) > 0x1p1000;
+      const double scale = is_huge ? .25 : 1;
       const double from = scale * a[axis], at = scale * q[axis], to = scale * b[axis];
-      if (std::abs(to - from) <= most)
+      const double difference = std::abs(to - from) * (is_huge ? 1 : .25);
+      if (difference < most || to == from)
         continue;
-      most = std::abs(to - from);
+      most = difference;
       m_weights[i] = std::abs(to - at);
       m_weights[j] = std::abs(at - from);
     }
@@ -592,11 +594,16 @@ public:
   void operator()(const Point& q, Index c, const Values& values, double* to, core::Steps&) const
   {
     Point corners[4];
+    Index v[4];
+    bool are_finite = true;
+    for (std::size_t k = 0; k < 4; ++k) {
+      v[k] = Index(m_simplices.vertex(std::size_t(c), k));
+      corners[k] = m_point_of(std::size_t(v[k]));
+      are_finite = are_finite && values.are_finite(v[k]);
+    }
+    const std::array<double, 4> weights = core::barycentric_of(corners, q, !are_finite);
     for (std::size_t k = 0; k < 4; ++k)
-      corners[k] = m_point_of(m_simplices.vertex(std::size_t(c), k));
-    const std::array<double, 4> weights = core::barycentric_of(corners, q, !values.are_finite);
-    for (std::size_t k = 0; k < 4; ++k)
-      values.add(weights[k], Index(m_simplices.vertex(std::size_t(c), k)), to);
+      values.add(weights[k], v[k], to);
   }
 
 private:

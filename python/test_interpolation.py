@@ -163,6 +163,8 @@ class Interpolators(unittest.TestCase):
             found = dfs.LinearInterpolator(made, values)(points[corners].sum(axis=1) / 3)
             np.testing.assert_array_equal(np.isnan(np.diag(found)), False)
             np.testing.assert_allclose(np.diag(found), 1, atol=1e-12)
+        corners = 1e300 * np.vstack([np.zeros(3), np.eye(3)])
+        self.assertEqual(dfs.LinearInterpolator(corners, [0, np.inf, 0, 0], np.array(7.))([1e-100, 0, 0]), np.inf)
         lattice = .1 * crystal([[0, 0, 0]])
         for centre in itertools.product((1, 2), repeat=3):
             x = .1 * np.array(centre)
@@ -273,7 +275,8 @@ class Interpolators(unittest.TestCase):
                     (TypeError, "fill_value: expected a real number", points, np.ones(20), 1j),
                     (TypeError, "fill_value: expected a real number, .* got '3'", points, np.ones(20), "3"),
                     (TypeError, "fill_value: expected a number, .* got None", points, np.ones(20) * 1j, None),
-                    (ValueError, "fill_value: 1000.* too large", points, np.ones(20), 10**400)):
+                    (ValueError, "fill_value: 1000.* too large", points, np.ones(20), 10**400),
+                    (ValueError, "fill_value: .* too large", points, np.ones(20), np.longdouble("1e4000"))):
                 with self.assertRaisesRegex(error, message):
                     kind(*arguments)
             with self.assertRaisesRegex(ValueError, "outside: expected .* got 'linear'"):
@@ -467,6 +470,11 @@ class NaturalNeighbors(unittest.TestCase):
             made = dfs.NaturalNeighborInterpolator(spacing * unit * lattice, linear(lattice))
             xi = unit * np.array([[shift, 0, 0], [0, shift, 3 * spacing], [3 * spacing, 0, shift]])
             np.testing.assert_allclose(made(xi), linear(xi / unit / spacing), rtol=0, atol=1e-12)
+        for large in (1e300, 1e305, 1.7e308):  # along another axis
+            for height, q, expected in ((2, 1, .5), (4, 2, .5), (8, 3, .375), (40, 13, .325)):
+                points = [(large, 0, 0), (large, height * unit, 0), (0, 0, 0), (0, 0, 1e305)]
+                made = dfs.NaturalNeighborInterpolator(points, [0, 1, 5, 7])
+                self.assertAlmostEqual(made([(large, q * unit, 0)])[0], expected, 12)
         huge = dfs.NaturalNeighborInterpolator(2.**1022 * (lattice - 1.5), linear(lattice))
         np.testing.assert_allclose(huge([[-2.**1022, -1.5 * 2.**1022, 1.5 * 2.**1022]]), linear(np.array([.5, 0, 3])))
 

@@ -738,6 +738,7 @@ class Batches(unittest.TestCase):
                 (ValueError, r"points: expected an array of shape \(b, n, 3\), or a sequence .* got \(100, 3\)",
                  (points[0],)),
                 (TypeError, "points: expected a sequence with one array for each set, got int", (7,)),
+                (ValueError, "set 1: points: a masked array", ([points[0], np.ma.array(points[1])],)),
                 (TypeError, "set 1: points: expected numbers, got entries of type complex128",
                  ([points[0], points[1] * 1j],)),
                 (ValueError, "weights: expected those of 6 sets, one array for each or None, got 5",

@@ -1241,6 +1241,9 @@ class Periodic(unittest.TestCase):
                 ((np.nan, 1, 1), ValueError, "box: the period along x is not positive: got nan"),
                 ((1, 1), ValueError, "box: expected three periods, one along each axis, got 2"),
                 (3, TypeError, "box: expected three periods, got 3"),
+                (np.ones(3, bool), TypeError, "box: the period along x: expected a number"),
+                ((10**400, 1, 1), TypeError, "box: the period along x: expected a number"),
+                (np.ma.array([1, 1, 1]), ValueError, "None stands for no period"),
                 ((1, "a", 1), TypeError, "box: the period along y: expected a number, or None if there is no period, got 'a'"),
                 ((1, 1, 1e-5), ValueError, "^box: the period along z is less than 1/10000 of the diagonal of the box$"),
                 ((1e-10, None, None), ValueError, "box: the period along x is so small that point")):

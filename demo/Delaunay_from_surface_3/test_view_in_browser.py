@@ -97,7 +97,7 @@ press("c");
 look("again");
 setUp(location.hash);
 look("twice");
-setUp("#axis=q,1&up=w&turn=,&zoom=x&pan=1e999,0,0&plane=&rounds=q");
+setUp("#axis=constructor&up=toString&turn=,&zoom=x&pan=1e999,0,0&plane=&rounds=q");
 draw();
 look("nonsense");
 </script>

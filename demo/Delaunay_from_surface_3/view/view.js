@@ -222,7 +222,7 @@ function drawSoon() {
 
 // --- What the user does ---
 
-const axes = {x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1]};
+const axes = {__proto__: null, x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1]};
 
 // Of the section along it most is seen.
 function facingAxis() {
@@ -250,7 +250,7 @@ function step(by) {
 }
 
 const keys = {x: () => chooseAxis("x"), y: () => chooseAxis("y"), z: () => chooseAxis("z"), v: () => chooseAxis("v"),
-  f: flipPlane, w: () => $("whole").click(), u: () => $("cuts-surface").click(), r: () => setUp(""), c: copyLink,
+  f: flipPlane, w: () => $("whole").click(), u: () => $("cuts-surface").click(), r: reset, c: copyLink,
   ArrowLeft: () => step(-0.01), ArrowRight: () => step(0.01), "+": () => zoom(1.1), "-": () => zoom(1 / 1.1),
   i: () => pan(0, -20), k: () => pan(0, 20), j: () => pan(-20, 0), l: () => pan(20, 0)};
 const keysWithShift = {ArrowLeft: () => turn(-0.1, 0), ArrowRight: () => turn(0.1, 0), ArrowUp: () => turn(0, -0.1),
@@ -286,7 +286,7 @@ function followPointers(canvas) {
     Object.assign(pointer, {x: event.clientX, y: event.clientY});
     const right = pointer.x - before.x, down = pointer.y - before.y;
     if (pointers.size === 2)
-      zoom(spread() / wide), pan(right / 2, down / 2);
+      zoom(wide > 0 ? spread() / wide : 1), pan(right / 2, down / 2);
     else if (pointer.pans)
       pan(right, down);
     else
@@ -312,7 +312,7 @@ function listen() {
     input.addEventListener("change", () => chooseAxis(input.value));
   for (const input of document.querySelectorAll("[name=up]"))
     input.addEventListener("change", () => chooseUp(input.value));
-  $("reset").addEventListener("click", () => setUp(""));
+  $("reset").addEventListener("click", reset);
   $("copy").addEventListener("click", copyLink);
   window.addEventListener("hashchange", () => setUp(location.hash));
   window.addEventListener("keydown", pressKey);
@@ -328,6 +328,7 @@ function listen() {
 
 // What the address asks for, or what is shown without any wishes: cut in the middle.
 function setUp(hash) {
+  $("copied").textContent = "";
   const wishes = new URLSearchParams(hash.slice(1));
   const numbers = (name, ...usual) => {
     const given = (wishes.get(name) || "").split(",").map(parseFloat);
@@ -357,7 +358,7 @@ function setUp(hash) {
 // The part of the address that sets up what is seen now.
 function wishes() {
   const short = (x) => String(Number(x.toFixed(3))), degrees = (angle) => short(angle * 180 / Math.PI);
-  const axis = document.querySelector("[name=axis]:checked").value, isUsual = axes[axis] && normal.dot(toViewer()) >= 0;
+  const axis = document.querySelector("[name=axis]:checked").value, isUsual = axes[axis] && normal.dot(toViewer()) > 1e-3;
   const parts = [`axis=${isUsual ? axis : normal.toArray().map(short).join()}`, `plane=${$("plane").value}`, `show=${layers.filter(({object}) => object.visible).map(({id}) => id).join()}`,
     `up=${view.axis}`, `turn=${degrees(view.right)},${degrees(view.up)}`, `zoom=${short(wholeDistance / view.distance)}`,
     `pan=${view.middle.toArray().map(short).join()}`];
@@ -366,11 +367,25 @@ function wishes() {
   return parts.concat($("whole").checked ? ["whole"] : [], $("cuts-surface").checked ? [] : ["uncut"]).join("&");
 }
 
+// Some frames may not have an address of their own.
+function setAddress(hash) {
+  try {
+    history.replaceState(null, "", hash || location.pathname + location.search);
+  } catch (error) {
+    return false;
+  }
+  return true;
+}
+
+function reset() {
+  setAddress("");
+  setUp("");
+}
+
 function copyLink() {
-  history.replaceState(null, "", `#${wishes()}`);
-  const tell = (text) => { $("copied").textContent = text; };
-  const copied = navigator.clipboard ? navigator.clipboard.writeText(location.href) : Promise.reject();
-  copied.then(() => tell("copied"), () => tell("it is the address of this page now"));
+  const isAddress = setAddress(`#${wishes()}`), tell = (text) => { $("copied").textContent = text; };
+  const copied = isAddress && navigator.clipboard ? navigator.clipboard.writeText(location.href) : Promise.reject();
+  copied.then(() => tell("copied"), () => tell(isAddress ? "it is the address of this page now" : `#${wishes()}`));
 }
 
 function begin() {

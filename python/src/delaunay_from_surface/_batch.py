@@ -60,10 +60,10 @@ def delaunay3_batch(points: Iterable[Points], weights: Optional[Iterable[Optiona
         with contextlib.suppress(RuntimeError):  # if there can be no more threads, those that work do it all
             for _ in range(min(number, len(sets)) - 1):
                 thread = threading.Thread(target=batch.work)
-                thread.start()
                 started.append(thread)
+                thread.start()
         batch.work()
-        for thread in started:
+        for thread in filter(threading.Thread.is_alive, started):
             thread.join()
     except BaseException:  # such as KeyboardInterrupt, which is raised in this thread
         batch.is_stopped = True
@@ -120,7 +120,7 @@ class _Batch:
 
 def _sets_of(name: str, given: Any, dimensions: int) -> List[Any]:
     """One for each set: of an array with so many dimensions its parts, which are not copied."""
-    array = _core.read_alike(given, name)
+    array = given if isinstance(given, (list, tuple)) else _core.read_alike(given, name)
     shape = getattr(array, "shape", None)
     is_of_objects = isinstance(array, np.ndarray) and array.dtype == object and array.ndim == 1
     if shape is not None and len(shape) != dimensions and not is_of_objects:

@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import numbers
 from typing import Any, Callable, Optional, SupportsIndex, Tuple, Union
 
@@ -131,8 +132,9 @@ class LinearInterpolator(_Interpolator):
         tetrahedra.
 
         The result has the shape (…), that of one value, and 3. Outside the hull it is NaN. On a facet it is the
-        gradient in the tetrahedron with the smaller number. Differences of values are rounded, and may overflow: a
-        gradient is as wrong as that makes it, which may be much in a flat tetrahedron.
+        gradient in the tetrahedron with the smaller number. Differences of values are rounded: a gradient is as wrong
+        as that makes it, which may be much in a flat tetrahedron. Differences and gradients of weights beyond the range
+        of float64 make it infinite or NaN.
         """
         queries, shape = _queries_of(xi)
         of = self.triangulation
@@ -150,17 +152,21 @@ class LinearInterpolator(_Interpolator):
         finite, queries = _replaced(queries, of)
         found = of.find_copies(queries, threads=self._threads)
         results = np.full((len(queries), self._rows.shape[1]), -0.)  # to which 0 and -0 may be added
-        for first in range(0, len(queries), _GROUP):
-            group = slice(first, first + _GROUP)
-            self._add_values(of, queries[group], SimplexCopies(*(array[group] for array in found)), results[group])
+        are_zeros_decided = not np.isfinite(self.values).all()
+        size = max(_GROUP, of.npoints)  # all points are copied for each group
+        for first in range(0, len(queries), size):
+            group = slice(first, first + size)
+            self._add_values(of, queries[group], SimplexCopies(*(array[group] for array in found)), results[group],
+                             are_zeros_decided)
         results[found.simplices < 0] = self._fill
         results[~finite] = np.nan
         return results
 
-    def _add_values(self, of: Periodic3, queries: Coordinates, found: SimplexCopies, results: Reals) -> None:
+    def _add_values(self, of: Periodic3, queries: Coordinates, found: SimplexCopies, results: Reals,
+                    are_zeros_decided: bool) -> None:
         rows = self._rows
         weights = _core.barycentric_in_box(of.points, of.simplices, of._in_box, queries, found.simplices.astype(np.int64),
-                                           found.offsets.astype(np.int64), self._threads, not np.isfinite(rows).all())
+                                           found.offsets.astype(np.int64), self._threads, are_zeros_decided)
         with np.errstate(invalid="ignore", over="ignore"):
             for k in range(4):
                 weight = weights[:, k, None]
@@ -204,17 +210,21 @@ class NaturalNeighborInterpolator(_Interpolator):
         return self._interpolated(_core.interpolate_naturally, queries)
 
 
-# How many queries in a box have their weights in memory at once.
+# How many queries in a box have their weights in memory at once, or as many as there are points.
 _GROUP = 1 << 16
 
 
 def _number(name: str, value: Any, is_real: bool) -> complex:
+    value = _core.read_alike(value, name)
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value[()]
     if not isinstance(value, numbers.Real if is_real else numbers.Complex) or isinstance(value, bool):
         raise TypeError(f"{name}: expected a {'real ' if is_real else ''}number, as the values are, got {value!r}")
-    try:
-        return float(value) if is_real else complex(value)  # type: ignore[arg-type]
-    except OverflowError:
-        raise ValueError(f"{name}: {value!r} is too large for a float64") from None
+    with contextlib.suppress(OverflowError), np.errstate(over="ignore"):
+        number = float(value) if is_real else complex(value)  # type: ignore[arg-type]
+        if np.isinf(number) == np.isinf(value):
+            return number
+    raise ValueError(f"{name}: {value!r} is too large for a float64")
 
 
 def _triangulated(points: Points, threads: int) -> Delaunay3:

@@ -150,12 +150,10 @@ class Moving:
         more or fewer points than before. What is refused changes nothing. Raises what `delaunay3` does, and ValueError
         while another call is at work.
         """
-        if not self._at_work.acquire(blocking=False):
+        if self._at_work.locked():
             raise ValueError("update: another call is at work on this Moving")
-        try:
+        with self._at_work:  # whole whenever Ctrl-C comes; a call that begins at the same time waits
             return self._updated(points, weights)
-        finally:
-            self._at_work.release()
 
     def _updated(self, points: Points, weights: Optional[ArrayLike]) -> Delaunay3:
         from . import delaunay3

@@ -71,11 +71,10 @@ class PeriodicAlphaComplex(NamedTuple):
 
 def periods_of(box: Box) -> Reals:
     """(3,) float64: the periods, infinite along axes that have none."""
-    read = _core.read_alike(box, "box")
-    if isinstance(read, np.ma.MaskedArray):
+    if isinstance(box, np.ma.MaskedArray):
         raise ValueError("box: a masked array is not read; None stands for no period")
     try:
-        given = list(read)
+        given = list(_core.read_alike(box, "box"))
     except TypeError:
         raise TypeError(f"box: expected three periods, got {box!r}") from None
     if len(given) != 3:
@@ -86,8 +85,10 @@ def periods_of(box: Box) -> Reals:
         if period is None:
             continue
         try:
-            periods[axis] = float(+period)  # a text is no number
-        except (TypeError, ValueError):
+            if isinstance(period, (str, bytes, bool, np.bool_)):
+                raise TypeError
+            periods[axis] = float(period)
+        except (TypeError, ValueError, OverflowError):
             raise TypeError(f"{name}: expected a number, or None if there is no period, got {period!r}") from None
         if not periods[axis] > 0:
             raise ValueError(f"{name} is not positive: got {period!r}")

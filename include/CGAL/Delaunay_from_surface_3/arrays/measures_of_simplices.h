@@ -317,8 +317,11 @@ std::array<double, 4> barycentric_of(const Corner (&corners)[4], const Corner& p
     for (const auto& part : parts.of)
       if (!in.is_known(part, sum) || (are_zeros_decided && !in.is_known(part, part, .5)))
         return false;
-    for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t k = 0; k < 4; ++k) {
       weights[k] = quotient(in.rounded(parts.of[k]), in.rounded(sum));
+      if (are_zeros_decided && weights[k] == 0 && in.rounded(parts.of[k]).value != 0)
+        weights[k] = (std::numeric_limits<double>::denorm_min)();
+    }
     return true;
   });
   return weights;
