@@ -147,7 +147,7 @@ private:
   }
   Sampling sampling() const
   {
-    return Sampling(input.points, input.tiles, std::size_t(input.sample_share));
+    return Sampling(input.points, std::uint32_t(input.tiles), std::size_t(input.sample_share));
   }
 
   std::vector<Tile_point> own_points(std::uint32_t t) const

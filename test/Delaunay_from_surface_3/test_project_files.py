@@ -60,7 +60,7 @@ class ProjectFiles(unittest.TestCase):
     def test_project_url(self):
         """The address stands in one place, and is put wherever it belongs, and taken away."""
         script = ROOT / "scripts/project_url"
-        names = ["packaging/project_url", "README.md", "doc/Delaunay_from_surface_3/Delaunay_from_surface_3.txt",
+        names = ["packaging/project_url", "README.md", "SECURITY.md", "doc/Delaunay_from_surface_3/Delaunay_from_surface_3.txt",
                  "debian/control", "CITATION.cff", "python/pyproject.toml"]
 
         def run(*words):
@@ -77,7 +77,7 @@ class ProjectFiles(unittest.TestCase):
             place = Path(folder) / names[0]
             for address in ("https://example.org/first", "https://example.org/second"):
                 place.write_text(address + "\n", encoding="utf-8")
-                self.assertRegex(run("--check", folder).stderr, "^without the address in .*: README.md, doc/")
+                self.assertRegex(run("--check", folder).stderr, "^without the address in .*: README.md, SECURITY.md, doc/")
                 self.assertEqual(run(folder).returncode, 0)
                 self.assertEqual([name for name, text in texts().items() if address not in text], [])
                 self.assertEqual(run("--check", folder).returncode, 0)

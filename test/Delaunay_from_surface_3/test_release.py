@@ -18,7 +18,7 @@ import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PARTS = os.environ.get("PARTS", "source amalgamation changes").split()
+PARTS = os.environ.get("PARTS", "source sbom amalgamation changes").split()
 GIT = ["git", "-c", "user.name=A", "-c", "user.email=a@example.org", "-c", "commit.gpgsign=false"]
 
 
@@ -75,6 +75,10 @@ class Release(unittest.TestCase):
         with zipfile.ZipFile(output / f"delaunay_3-{self.version}.zip") as files:
             self.assertEqual({name.split("/")[1] for name in files.namelist()},
                              {"delaunay_3.h", "delaunay_3.cpp", "LICENSE", "LICENSE.LGPL"})
+        sbom = (output / f"{top}.spdx").read_text()
+        self.assertRegex(sbom, rf"DocumentName: {top}\n.*\nCreator: Organization: The authors of Delaunay_from_surface_3 ")
+        of_file = re.findall(r"^FileName: \./(.*)\n(?:.*\n)*?LicenseConcluded", sbom, re.M)
+        self.assertLessEqual({"CMakeLists.txt", "src/core.cpp", "include/CGAL/insert_points_3.h"}, set(of_file))
         changes = (output / f"CHANGES-{self.version}.md").read_text()
         self.assertTrue(changes.startswith(f"# Delaunay_from_surface_3 {self.version}\n\n"))
         if not PARTS:

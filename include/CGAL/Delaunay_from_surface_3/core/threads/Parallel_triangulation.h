@@ -131,7 +131,7 @@ public:
   // Triangulates the vertices of `complex`, which starts before the first round. Keeps references.
   Parallel_triangulation(Complex& complex, const Executor& executor,
                          const Parallel_rules& rules = Parallel_rules())
-    : m_shared(complex, executor.number_of_workers())
+    : m_shared(complex, unsigned(executor.number_of_workers()))
     , m_executor(executor)
     , m_rules(rules)
   {
