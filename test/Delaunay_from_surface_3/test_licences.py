@@ -50,7 +50,7 @@ class Licences(unittest.TestCase):
 
             self.assertEqual((ROOT / name).read_bytes(), (ROOT / f"LICENSES/{LESSER if 'L' in name[7:] else GENERAL}.txt").read_bytes())
 
-    @unittest.skipUnless(shutil.which("reuse") and (ROOT / ".git").exists(), "reuse was not found, or this is no git clone")
+    @unittest.skipUnless("CI" in os.environ or shutil.which("reuse") and (ROOT / ".git").exists(), "reuse was not found, or this is no git clone")
     def test_every_file_has_one(self):
         """One: what names its licence itself is not in .reuse/dep5."""
         done = subprocess.run(["reuse", "--root", ROOT, "lint"], capture_output=True, text=True, check=False)
