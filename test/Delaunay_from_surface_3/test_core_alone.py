@@ -33,6 +33,14 @@ class CoreAlone(unittest.TestCase):
                                "-Werror", f"-I{self.folder}", SOURCE, *options],
                               capture_output=True, text=True, check=False)
 
+    @unittest.skipUnless(shutil.which("clang++") and os.path.exists("/usr/include/c++/v1"), "clang or libc++ was not found")
+    def test_another_library(self):
+        """That of clang, as on macOS."""
+        program = self.folder / "core_alone"
+        subprocess.run(["clang++", "-stdlib=libc++", "-std=c++17", "-O0", "-Wall", "-Wextra", "-Werror", f"-I{self.folder}", SOURCE, "-o",
+                        program], check=True)
+        self.assertEqual(subprocess.run([program], capture_output=True, text=True, check=False).stdout, "all is right\n")
+
     def test_headers(self):
         done = self.compiled("-M")
         self.assertEqual(done.returncode, 0, done.stderr)

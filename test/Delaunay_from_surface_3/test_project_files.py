@@ -62,7 +62,8 @@ class ProjectFiles(unittest.TestCase):
         """The address stands in one place, and is put wherever it belongs, and taken away."""
         script = ROOT / "scripts/project_url"
         names = ["packaging/project_url", "README.md", "SECURITY.md", "doc/Delaunay_from_surface_3/Delaunay_from_surface_3.txt",
-                 "debian/control", "CITATION.cff", "python/pyproject.toml"]
+                 "debian/control", "CITATION.cff", "python/pyproject.toml",
+                 "examples/Delaunay_from_surface_3/sample_project/CMakeLists.txt"]
 
         def run(*words):
             return subprocess.run([sys.executable, "-B", script, *words], capture_output=True, text=True, check=False)

@@ -64,9 +64,9 @@ bool are_links_spheres(std::size_t number_of_cells, std::size_t n, const VertexO
       ++number_of_cells_at[vertex_of(c, k)];
   for (std::size_t v = 0; v < n; ++v)
     for (const Number* w = larger_ends.begin(v); w != larger_ends.end(v); ++w, step())
-      if (std::exchange(met_by[*w], Number(v)) != Number(v)) {
+      if (std::exchange(met_by[std::size_t(*w)], Number(v)) != Number(v)) {
         ++number_of_neighbors[v];
-        ++number_of_neighbors[*w];
+        ++number_of_neighbors[std::size_t(*w)];
       }
   for (std::size_t v = 0; v < n; ++v)
     if (number_of_cells_at[v] > 0 &&
