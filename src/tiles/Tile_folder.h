@@ -184,7 +184,7 @@ public:
     std::vector<std::uint64_t> next = ends;
     std::vector<T> sorted(items.size());
     for (std::size_t i = 0; i < items.size(); ++i)
-      sorted[next[part[i]]++] = items[i];
+      sorted[std::size_t(next[part[i]]++)] = items[i];
     Record_writer to(file(kind, k), kind, m_run);
     to.put_parts(ends, sorted);
     to.finish();

@@ -147,7 +147,7 @@ private:
   }
   Sampling sampling() const
   {
-    return Sampling(input.points, input.tiles, std::size_t(input.sample_share));
+    return Sampling(input.points, std::uint32_t(input.tiles), std::size_t(input.sample_share));
   }
 
   std::vector<Tile_point> own_points(std::uint32_t t) const
@@ -330,7 +330,8 @@ public:
       m_folder.write_mark("homes");
     } else if (m_stage == ROUND)
       close_round();
-    else if (m_stage == PIECES && is_certified(certificates(), m_input.tiles, m_input.points))
+    else if (m_stage == PIECES &&
+             is_certified(certificates(), std::size_t(m_input.tiles), m_input.points))
       m_folder.write_mark("certified"); // else the driver goes on, by show()
     find_stage();
     clean();
@@ -485,7 +486,7 @@ private:
     Closed_round closed;
     closed.told_before = told();
     closed.last_rounds = m_closed.last_rounds;
-    closed.last_rounds.resize(m_input.tiles);
+    closed.last_rounds.resize(std::size_t(m_input.tiles));
     for (const std::uint32_t t : m_tasks) {
       closed.last_rounds[t] = std::uint32_t(m_round);
       if (std::filesystem::exists(m_folder.file("post", t, m_round)))

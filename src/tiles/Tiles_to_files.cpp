@@ -372,12 +372,12 @@ private:
     if (std::filesystem::exists(m_state.file("inside", t)))
       return;
     std::vector<Facet> open;
-    std::vector<std::int64_t> neighbors(4 * (m_first[t + 1] - m_first[t]), none);
+    std::vector<std::int64_t> neighbors(std::size_t(4 * (m_first[t + 1] - m_first[t])), none);
     match(
         sorted_facets(t),
         [&](const Facet& f, const Facet& g) {
-          neighbors[f.slot] = std::int64_t(m_first[t] + g.slot / 4);
-          neighbors[g.slot] = std::int64_t(m_first[t] + f.slot / 4);
+          neighbors[std::size_t(f.slot)] = std::int64_t(m_first[t] + g.slot / 4);
+          neighbors[std::size_t(g.slot)] = std::int64_t(m_first[t] + f.slot / 4);
         },
         [&](const Facet& f) {
           open.push_back({f.vertices, f.slot + 4 * m_first[t]});
@@ -416,7 +416,7 @@ private:
     for (std::uint32_t part = 0; part < m_tiles; ++part)
       m_state.append_part("between", part, t, pairs);
     for (const Neighbor& n : pairs)
-      neighbors[n.slot - 4 * m_first[t]] = n.cell;
+      neighbors[std::size_t(n.slot - 4 * m_first[t])] = n.cell;
     std::vector<Global_cell> rows(neighbors.size() / 4);
     for (std::size_t i = 0; i < neighbors.size(); ++i)
       rows[i / 4][i % 4] = neighbors[i];

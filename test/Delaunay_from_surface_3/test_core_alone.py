@@ -2,7 +2,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""A program that uses the core, with no header of CGAL, Boost or TBB in reach."""
+"""Programs that use the core, with no header of CGAL, Boost or TBB in reach: its own, and that of scripts/try_it."""
 
 import os
 import re
@@ -33,6 +33,14 @@ class CoreAlone(unittest.TestCase):
                                "-Werror", f"-I{self.folder}", SOURCE, *options],
                               capture_output=True, text=True, check=False)
 
+    @unittest.skipUnless(shutil.which("clang++") and os.path.exists("/usr/include/c++/v1"), "clang or libc++ was not found")
+    def test_another_library(self):
+        """That of clang, as on macOS."""
+        program = self.folder / "core_alone"
+        subprocess.run(["clang++", "-stdlib=libc++", "-std=c++17", "-O0", "-Wall", "-Wextra", "-Werror", f"-I{self.folder}", SOURCE, "-o",
+                        program], check=True)
+        self.assertEqual(subprocess.run([program], capture_output=True, text=True, check=False).stdout, "all is right\n")
+
     def test_headers(self):
         done = self.compiled("-M")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -47,6 +55,47 @@ class CoreAlone(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         done = subprocess.run([program], capture_output=True, text=True, check=False)
         self.assertEqual((done.stdout, done.returncode), ("all is right\n", 0))
+
+
+class TryIt(unittest.TestCase):
+    def test_try_it(self):
+        """In a copy of what it needs, by nothing but a compiler."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        here = Path(folder.name)
+        root = here / "unpacked"
+        for name in ("include", "src", "scripts", "examples"):
+            shutil.copytree(HERE.parent.parent / name, root / name)
+        points = here / "points.xyz"
+        cells = here / "cells.vtk"
+
+        def run(*words, **variables):
+            path = {"PATH": "/usr/bin:/bin", "CXX": os.environ.get("CXX", "c++"), "CXXFLAGS": "-O0", **variables}
+            return subprocess.run([root / "scripts/try_it", *words], capture_output=True, text=True, check=False, env=path,
+                                  cwd=here)
+
+        done = run()
+        self.assertRegex(done.stdout, r"^== building with .*\n960 points, \d+ tetrahedra, .* threads; checked: it is the "
+                         r"Delaunay triangulation\n$", done.stderr)
+        points.write_text("# a cube and its middle\n" + "".join(f"{i % 2} {i // 2 % 2} {i // 4} red\n" for i in range(8)) + "\n.5 .5 .5\n")
+        done = run("points.xyz", "cells.vtk", THREADS="1")
+        self.assertRegex(done.stdout, r"^9 points, 12 tetrahedra, .* with 1 threads; checked: .*\nwritten: cells\.vtk\n$", done.stderr)
+        words = cells.read_text().split()
+        at = words.index("CELLS")
+        self.assertEqual(words[at + 1:at + 3], ["12", "60"])
+        self.assertEqual({tuple(words[i:i + 1]) for i in range(at + 3, at + 63, 5)}, {("4",)})
+        self.assertEqual({int(word) for word in words[at + 3:at + 63]}, set(range(9)))
+        self.assertEqual(words[-14:], ["CELL_TYPES", "12", *["10"] * 12])
+        points.write_text("1 2 3\n4 nan 6\n")
+        self.assertEqual(run(points).stderr, f"error: {points}: a coordinate or weight is not a finite number; it is that of point 1\n")
+        points.write_text("1 2 3\n\n4 5\n")
+        self.assertEqual(run(points).stderr, f"error: {points}: line 3 has no three numbers\n")
+        for text, message in (("OFF\n3 0 0\n1 2 3\n", "it ends before its last vertex"), ("OFF\nx\n", "there is no number of vertices"),
+                              ("1 2 3\n", "the first line is not OFF")):
+            (here / "points.off").write_text(text)
+            self.assertEqual(run("points.off").stderr, f"error: points.off: {message}\n")
+        self.assertEqual(run("none.xyz").stderr, "error: none.xyz: No such file or directory\n")
+        self.assertEqual(run("points.off", "a", "b").returncode, 2)
 
 
 if __name__ == "__main__":

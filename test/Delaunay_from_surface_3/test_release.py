@@ -6,6 +6,7 @@
 what is wrong is said."""
 
 import hashlib
+import json
 import os
 import re
 import shutil
@@ -18,7 +19,7 @@ import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PARTS = os.environ.get("PARTS", "source amalgamation changes").split()
+PARTS = os.environ.get("PARTS", "source sbom amalgamation recipes changes").split()
 GIT = ["git", "-c", "user.name=A", "-c", "user.email=a@example.org", "-c", "commit.gpgsign=false"]
 
 
@@ -26,7 +27,8 @@ def run(*command, **options):
     return subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False, **options)
 
 
-@unittest.skipUnless(shutil.which("git") and (ROOT / ".git").exists(), "this is no git clone")
+# Where CI is set this is one: else it would pass unseen.
+@unittest.skipUnless("CI" in os.environ or shutil.which("git") and (ROOT / ".git").exists(), "this is no git clone")
 class Release(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -75,6 +77,19 @@ class Release(unittest.TestCase):
         with zipfile.ZipFile(output / f"delaunay_3-{self.version}.zip") as files:
             self.assertEqual({name.split("/")[1] for name in files.namelist()},
                              {"delaunay_3.h", "delaunay_3.cpp", "LICENSE", "LICENSE.LGPL"})
+        sbom = (output / f"{top}.spdx").read_text()
+        self.assertRegex(sbom, rf"DocumentName: {top}\n.*\nCreator: Organization: The authors of Delaunay_from_surface_3 ")
+        of_file = re.findall(r"^FileName: \./(.*)\n(?:.*\n)*?LicenseConcluded", sbom, re.M)
+        self.assertLessEqual({"CMakeLists.txt", "src/core.cpp", "include/CGAL/insert_points_3.h"}, set(of_file))
+        with zipfile.ZipFile(output / f"{top}-recipes.zip") as files:
+            texts = {name.removeprefix(f"{top}-recipes/"): files.read(name).decode() for name in files.namelist()}
+        self.assertLessEqual({"conda/meta.yaml", "conda/build_core.sh", "vcpkg/portfile.cmake", "vcpkg/vcpkg.json"}, set(texts))
+        has_address = (ROOT / "packaging/project_url").read_text().strip()
+        self.assertEqual({place for text in texts.values() for place in re.findall(r"@\w+@", text)},
+                         {"@SOURCE@"} if has_address else {"@SOURCE@", "@HOME@"})
+        self.assertIn(f'sha256: "{names[top + ".tar.gz"]}"', texts["conda/meta.yaml"])
+        self.assertIn(hashlib.sha512((output / f"{top}.tar.gz").read_bytes()).hexdigest(), texts["vcpkg/portfile.cmake"])
+        self.assertEqual(json.loads(texts["vcpkg/vcpkg.json"])["version"], self.version)
         changes = (output / f"CHANGES-{self.version}.md").read_text()
         self.assertTrue(changes.startswith(f"# Delaunay_from_surface_3 {self.version}\n\n"))
         if not PARTS:

@@ -1,4 +1,8 @@
-/* Triangulates random points and asks where their middle is. Needs delaunay_3.h and delaunay_3.cpp, which
+/* Copyright (c) 2026 The authors of Delaunay_from_surface_3
+ *
+ * SPDX-License-Identifier: LGPL-3.0-or-later
+ *
+ * Triangulates random points and asks where their middle is. Needs delaunay_3.h and delaunay_3.cpp, which
  * scripts/amalgamate makes, and nothing else:
  *
  *   c++ -O2 -std=c++17 -c delaunay_3.cpp && cc triangulate.c delaunay_3.o -lstdc++ -lm -lpthread
