@@ -222,7 +222,7 @@ def _number(name: str, value: Any, is_real: bool) -> complex:
         raise TypeError(f"{name}: expected a {'real ' if is_real else ''}number, as the values are, got {value!r}")
     with contextlib.suppress(OverflowError), np.errstate(over="ignore"):
         number = float(value) if is_real else complex(value)  # type: ignore[arg-type]
-        if np.isinf(number) == np.isinf(value):
+        if np.isinf(number) == np.isinf(value):  # type: ignore[call-overload]
             return number
     raise ValueError(f"{name}: {value!r} is too large for a float64")
 
