@@ -255,7 +255,7 @@ inline Lists<Net_index> contracted(const Net_graph& lower,
     last_met_by[c] = Net_index(c);
     for (std::size_t k = clusters.first[c]; k < clusters.first[c + 1]; ++k) {
       prefetch(&lower.first[clusters.items[(std::min)(k + prefetch_distance, last_item)]]);
-      prefetch(lower.begin(clusters.items[(std::min)(k + near_prefetch_distance, last_item)]));
+      prefetch(lower.begin(clusters.items[(std::min)(k + prefetch_distance / 2, last_item)]));
       const Net_index v = clusters.items[k];
       for (const Net_index *u = lower.begin(v), *end = lower.end(v); u != end; ++u) {
         const Net_index d = cluster_of[*u];
