@@ -18,7 +18,7 @@ def main():
     for name in ("nbconvert", "ipykernel", "matplotlib"):
         if importlib.util.find_spec(name) is None:
             print(f"skipped: the notebook, as {name} (Debian: jupyter-nbconvert, python3-ipykernel, python3-matplotlib) was not found")
-            return 0
+            return int("CI" in os.environ)
     module = Path(importlib.util.find_spec("delaunay_from_surface").origin).parents[1]
     with tempfile.TemporaryDirectory() as folder:  # the kernel is the system's Python
         return subprocess.run([sys.executable, "-B", "-m", "nbconvert", "--to", "notebook", "--execute", "--output-dir", folder, NOTEBOOK],

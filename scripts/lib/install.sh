@@ -9,7 +9,7 @@ fail() {
 }
 
 # head_of_script: what the comment at the head of the running script says. From the project's root.
-head_of_script() { sed -n '2,/^set/ { /^#/ s/^# \?//p }' "scripts/${0##*/}"; }
+head_of_script() { sed -n '2,/^set/ { /^#/ s/^# \{0,1\}//p; }' "scripts/${0##*/}"; }
 
 # answer_help "$@": for scripts whose only option is --help.
 answer_help() {
@@ -56,7 +56,7 @@ install_missing() {
   done
   if [ ${#missing[@]} -eq 0 ]; then return; fi
 
-  local install=(apt-get install -y --no-install-recommends "${missing[@]}")
+  local install=(apt-get install -y --no-remove --no-install-recommends "${missing[@]}")
   fail_without_root "${install[*]}"
   for package in "${missing[@]}"; do
     if ! knows_package "$package"; then

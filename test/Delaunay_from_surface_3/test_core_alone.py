@@ -86,6 +86,12 @@ class TryIt(unittest.TestCase):
         self.assertEqual({tuple(words[i:i + 1]) for i in range(at + 3, at + 63, 5)}, {("4",)})
         self.assertEqual({int(word) for word in words[at + 3:at + 63]}, set(range(9)))
         self.assertEqual(words[-14:], ["CELL_TYPES", "12", *["10"] * 12])
+        before = points.read_text()
+        for output in ("points.xyz", "other.off", ".vtk"):
+            self.assertEqual(run("points.xyz", output).stderr,
+                             f"error: {output}: nothing is written over points; name a file that ends in .vtk\n")
+        self.assertEqual((points.read_text(), sorted(path.name for path in here.iterdir())),
+                         (before, ["cells.vtk", "points.xyz", "unpacked"]))
         points.write_text("1 2 3\n4 nan 6\n")
         self.assertEqual(run(points).stderr, f"error: {points}: a coordinate or weight is not a finite number; it is that of point 1\n")
         points.write_text("1 2 3\n\n4 5\n")

@@ -82,7 +82,8 @@ std::vector<double> read_points(const std::string& name)
 void write_vtk(const std::string& name, const std::vector<double>& points,
                const delaunay_3_cells& cells)
 {
-  std::ofstream file(name);
+  const std::string aside = name + ".part"; // so that no half of a file has the name
+  std::ofstream file(aside);
   file.precision(std::numeric_limits<double>::max_digits10);
   file << "# vtk DataFile Version 2.0\nDelaunay triangulation\nASCII\nDATASET "
           "UNSTRUCTURED_GRID\nPOINTS "
@@ -102,12 +103,23 @@ void write_vtk(const std::string& name, const std::vector<double>& points,
   for (std::size_t c = 0; c < cells.number; ++c)
     file << types[cells.dimension] << '\n';
   file.close();
-  if (!file)
+  if (!file || std::rename(aside.c_str(), name.c_str()) != 0) {
+    std::remove(aside.c_str());
     throw std::runtime_error(name + ": cannot be written");
+  }
+}
+
+bool ends_in(const std::string& name, const std::string& ending)
+{
+  return name.size() > ending.size() &&
+         name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
 }
 
 void run(const std::string& input, const std::string& output, int threads)
 {
+  if (!output.empty() && (!ends_in(output, ".vtk") || ends_in(input, ".vtk")))
+    throw std::runtime_error(output +
+                             ": nothing is written over points; name a file that ends in .vtk");
   const std::vector<double> points = read_points(input);
   const auto begin = std::chrono::steady_clock::now();
   delaunay_3* built = nullptr;
@@ -124,17 +136,21 @@ void run(const std::string& input, const std::string& output, int threads)
 
   delaunay_3_cells cells;
   delaunay_3_get(built, &cells);
+  const int is_valid = delaunay_3_is_valid(built, 3);
   static const char* const names[] = {"no cells", "vertex", "edges", "triangles", "tetrahedra"};
   std::printf("%zu points, %zu %s, %.3f s with %d threads; %s\n", points.size() / 3, cells.number,
               names[cells.dimension + 1], seconds, threads,
-              delaunay_3_is_valid(built, 3) == 1 ? "checked: it is the Delaunay triangulation"
-                                                 : "WRONG: please report it");
+              is_valid == 1   ? "checked: it is the Delaunay triangulation"
+              : is_valid == 0 ? "WRONG: please report it"
+                              : delaunay_3_message(delaunay_3_status(-is_valid)));
   if (!output.empty()) {
     if (cells.dimension < 0)
       throw std::runtime_error(input + ": there are no points, and nothing is written");
     write_vtk(output, points, cells);
     std::printf("written: %s\n", output.c_str());
   }
+  if (is_valid != 1)
+    throw std::runtime_error(input + ": the result has not passed the check");
 }
 
 } // namespace
