@@ -146,12 +146,12 @@ function flat(rows, width, name) {
   if (width === 1 || typeof rows[0] === "number" || rows.length === 0)
     return flat(Float64Array.from(rows, (x) => number(x, name)), width, name);
   const numbers = new Float64Array(width * rows.length);
-  rows.forEach((row, i) => {
-    if (row?.length !== width)
+  for (let i = 0; i < rows.length; ++i) { // forEach() would leave out holes
+    if (rows[i]?.length !== width)
       refuse(`${name}: number ${i} has not ${width} numbers`);
     for (let k = 0; k < width; ++k)
-      numbers[width * i + k] = number(row[k], name);
-  });
+      numbers[width * i + k] = number(rows[i][k], name);
+  }
   return numbers;
 }
 
@@ -350,6 +350,8 @@ class Thread {
   constructor(worker, onProgress) {
     this.worker = worker;
     worker.onmessage = ({data: {number, share, result, error}}) => {
+      if (this.#closed !== undefined) // what was on its way comes too late
+        return;
       if (share !== undefined)
         return onProgress?.(share);
       const {resolve, reject} = this.#asked.get(number);

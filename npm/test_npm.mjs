@@ -193,7 +193,7 @@ async function testRefusals({delaunay3Sync, Delaunay3Error}, check) {
     ["STOPPED", undefined, () => delaunay3Sync(points, {onProgress: () => false})],
   ];
   for (const wrong of [points.subarray(1), [1, 2], [[1, 2, 3], [4, 5]], [[1, 2, "3"]], ["1", "2", "3"], new BigInt64Array(3),
-    new DataView(new ArrayBuffer(24)), "123", null, undefined, 7, {length: 3}])
+    new DataView(new ArrayBuffer(24)), "123", null, undefined, 7, {length: 3}, Object.assign([], {0: [1, 2, 3], 2: [4, 5, 6]})])
     cases.push(["BAD_ARGUMENT", undefined, () => delaunay3Sync(wrong)]);
   for (const [status, where, f] of cases)
     check(`refusal ${status}: ${f}`, refused(f, Delaunay3Error, status, where));
