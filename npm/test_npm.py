@@ -119,7 +119,7 @@ class Npm(unittest.TestCase):
     def test_what_is_packed(self):
         files = {str(path.relative_to(self.package)) for path in self.package.rglob("*")}
         self.assertEqual(files, {"package.json", "README.md", "index.mjs", "index.d.ts", "worker.mjs", "delaunay_3.wasm", "LICENSE",
-                                 "LICENSE.LGPL"})
+                                 "LICENSE.LGPL", "THIRD_PARTY.txt"})
         code = "".join((self.package / name).read_text(encoding="utf-8") for name in ("index.mjs", "worker.mjs"))
         self.assertNotRegex(code, r"\beval\b|new Function")
         self.assertLess(len(gzip.compress((self.package / "delaunay_3.wasm").read_bytes())), 600_000)
