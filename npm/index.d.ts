@@ -70,7 +70,7 @@ export function delaunay3(points: Triples, options?: Options): Promise<Delaunay3
 /** Does the same at once, once init() has ended. If onProgress returns false, it throws. */
 export function delaunay3Sync(points: Triples, options?: Options): Delaunay3;
 
-/** Does the same in a worker; the signal ends it. */
+/** Does the same in a worker; while it builds, the signal ends it. */
 export function delaunay3InWorker(points: Triples, options?: Options & {signal?: AbortSignal}): Promise<Delaunay3InWorker>;
 
 /** Compiles the library, once. Give a place, a response, bytes or a module if delaunay_3.wasm is not beside index.mjs. */

@@ -264,8 +264,10 @@ class Delaunay3 {
 
   find(queries) {
     const numbers = flat(queries, 3, "queries"), n = numbers.length / 3, library = this.#library;
-    const [points, found] = [library.put(Float64Array, numbers), library.room(Int32Array, n)];
+    const found = library.room(Int32Array, n);
+    let points = 0; // free() takes it
     try {
+      points = library.put(Float64Array, numbers);
       library.check(library.call("delaunay_3_find", this.#handle, points, n, 1, found, 0));
       return library.view(Int32Array, found, n).slice();
     } finally {
@@ -281,8 +283,10 @@ class Delaunay3 {
     if (numbers.length === 0 || this.dimension < 3)
       refuse(numbers.length === 0 ? "faces: there are none" : "faces: there are no tetrahedra");
     const n = this.numberOfSimplices;
-    const [given, result] = [library.put(Int32Array, triangles), library.room(Float64Array, n)];
+    const result = library.room(Float64Array, n);
+    let given = 0;
     try {
+      given = library.put(Int32Array, triangles);
       library.check(library.call("delaunay_3_winding_numbers", this.#handle, given, triangles.length / 3, 1, result, 0));
       return library.view(Float64Array, result, n).slice();
     } finally {
@@ -295,6 +299,8 @@ class Delaunay3 {
   }
 
   isValid(level = 3) {
+    if (![0, 1, 2, 3].includes(level))
+      refuse("level: expected 0, 1, 2 or 3");
     const result = this.#library.call("delaunay_3_is_valid", this.#handle, level);
     this.#library.check(Math.max(0, -result));
     return result === 1;
@@ -353,7 +359,7 @@ class Thread {
       if (this.#closed !== undefined) // what was on its way comes too late
         return;
       if (share !== undefined)
-        return onProgress?.(share);
+        return this.#tell(onProgress, share);
       const {resolve, reject} = this.#asked.get(number);
       this.#asked.delete(number);
       if (this.#asked.size === 0)
@@ -366,13 +372,22 @@ class Thread {
     worker.onerror = (event) => this.close(new Delaunay3Error("FAILED", `the worker has ended: ${event.message ?? "its script was not found"}`));
   }
 
+  #tell(onProgress, share) {
+    try {
+      if (onProgress?.(share) === false)
+        this.close(new Delaunay3Error("STOPPED", "onProgress() has returned false"));
+    } catch (error) {
+      this.close(error);
+    }
+  }
+
   ask(what, ...values) {
     return new Promise((resolve, reject) => {
       if (this.#closed !== undefined)
         return reject(this.#closed);
-      this.#asked.set(++this.#number, {resolve, reject});
+      this.worker.postMessage({number: ++this.#number, what, values}); // may throw; an answer comes later
+      this.#asked.set(this.#number, {resolve, reject});
       this.worker.ref?.();
-      this.worker.postMessage({number: this.#number, what, values});
     });
   }
 

@@ -190,6 +190,7 @@ async function testRefusals({delaunay3Sync, Delaunay3Error}, check) {
     ["BAD_ARGUMENT", undefined, () => delaunay3Sync(points, {weights: [1, 2]})],
     ["BAD_ARGUMENT", undefined, () => delaunay3Sync(points, {box: [1, 1, 1]}).isValid()],
     ["BAD_ARGUMENT", undefined, () => d.isValid(4)],
+    ["BAD_ARGUMENT", undefined, () => d.isValid(NaN)],
     ["STOPPED", undefined, () => delaunay3Sync(points, {onProgress: () => false})],
   ];
   for (const wrong of [points.subarray(1), [1, 2], [[1, 2, 3], [4, 5]], [[1, 2, "3"]], ["1", "2", "3"], new BigInt64Array(3),
@@ -231,6 +232,10 @@ async function testWorker({delaunay3Sync, delaunay3InWorker, Delaunay3Error}, ch
   check("worker: closed", (await w.find([0, 0, 0]).catch((it) => it)).status === "STOPPED");
   const wrong = await delaunay3InWorker([1, 2, NaN]).catch((it) => it);
   check("worker: bad input", wrong.status === "NOT_FINITE" && wrong.where === 0);
+  const stopped = await delaunay3InWorker(points, {onProgress: () => false}).catch((it) => it);
+  check("worker: stopped", stopped.status === "STOPPED");
+  const thrown = await delaunay3InWorker(points, {onProgress: () => { throw new Error("mine"); }}).catch((it) => it);
+  check("worker: its caller's error", thrown.message === "mine");
   const controller = new AbortController();
   const ended = delaunay3InWorker(points, {signal: controller.signal, onProgress: () => controller.abort(new Error("enough"))});
   check("worker: abort", (await ended.catch((it) => it)).message === "enough");

@@ -1492,6 +1492,20 @@ class Meshes(unittest.TestCase):
             np.testing.assert_array_equal(grid[1], points)
             self.assertFalse(np.shares_memory(grid[1], points))
 
+    def test_plot(self):
+        class Grid:
+            def __init__(self, *_):
+                pass
+
+            def plot(self, **options):
+                return options
+
+        stand_in = types.SimpleNamespace(CellType=types.SimpleNamespace(TETRA=10), UnstructuredGrid=Grid)
+        with unittest.mock.patch.dict(sys.modules, pyvista=stand_in):
+            ours = dfs.delaunay3(random_points(9))
+            self.assertEqual(ours.plot(opacity=.5), {"show_edges": True, "opacity": .5})
+            self.assertEqual(ours.plot(show_edges=False), {"show_edges": False})
+
 
 class Examples(unittest.TestCase):
     def test_run(self):

@@ -188,9 +188,11 @@ template <class F>
 Refusal ending_of(const F& f)
 {
   Ending ending = {{}, {DELAUNAY_3_OK, nowhere}};
+  Ending* const outer = ending_of_call; // of the call whose function makes this one
   ending_of_call = &ending;
   if (setjmp(ending.jump) == 0)
     f();
+  ending_of_call = outer;
   return ending.refusal;
 }
 
@@ -207,12 +209,14 @@ delaunay_3_status status_of(std::size_t* where, const F& f,
                             delaunay_3_status of_input = DELAUNAY_3_BAD_BOX)
 {
   const core::Rounding_to_nearest rounding;
+  const delaunay_3_status outer = status_of_input;
   status_of_input = of_input;
   if (core::obstacle_of_core() != nullptr)
     return DELAUNAY_3_NOT_EXACT;
   const std::new_handler handler = std::set_new_handler(end_without_memory);
   const Refusal refusal = ending_of(f);
   std::set_new_handler(handler);
+  status_of_input = outer;
   if (where != nullptr && refusal.where != nowhere)
     *where = refusal.where;
   return refusal.status;

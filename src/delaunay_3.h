@@ -17,7 +17,8 @@
  *   }
  *
  * Compiled with -DDELAUNAY_3_ONE_THREAD it needs no threads, and uses one however many are asked for. The
- * same holds with -fno-exceptions; statuses are as ever, but a call that fails leaves its memory behind.
+ * same holds with -fno-exceptions; statuses are as ever, but a call that fails leaves its memory behind,
+ * and only one thread may call at a time.
  */
 
 #ifndef DELAUNAY_3_H
@@ -94,7 +95,8 @@ delaunay_3_status delaunay_3_build_periodic(const double* points, const double* 
 
 /* Does what any of the three does; `weights` and `box` may be null. Calls go_further(data, share), in
  * this thread, every 256 points or more often, with the share of the points that are inserted. The call
- * ends with DELAUNAY_3_STOPPED when that returns 0. */
+ * ends with DELAUNAY_3_STOPPED when that returns 0. It must not throw, and is called with rounding to
+ * nearest. */
 delaunay_3_status delaunay_3_build_watched(const double* points, const double* weights, size_t n,
                                            const double* box, int threads,
                                            int (*go_further)(void* data, double share), void* data,

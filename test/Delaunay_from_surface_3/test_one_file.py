@@ -203,7 +203,15 @@ class OneFile(unittest.TestCase):
             for box in (None, array(ctypes.c_double, [1, 1, 1])):
                 for last in (.3, 2):
                     shares, d = [], ctypes.c_void_p()
-                    go_further = GO_FURTHER(lambda data, share: shares.append((data, share)) or share < last)
+
+                    def watch(data, share):
+                        inner = ctypes.c_void_p() # a call within the call
+                        self.c.delaunay_3_build(points, ctypes.c_size_t(5), None, ctypes.c_size_t(0), 1, ctypes.byref(inner), None)
+                        self.c.delaunay_3_free(inner)
+                        shares.append((data, share))
+                        return share < last
+
+                    go_further = GO_FURTHER(watch)
                     status = self.c.delaunay_3_build_watched(points, given, ctypes.c_size_t(10000), box, 2, go_further,
                                                              ctypes.c_void_p(7), ctypes.byref(d), None)
                     self.assertEqual((status, d.value is None), (STOPPED, True) if last < 1 else (OK, False))

@@ -375,14 +375,18 @@ class Delaunay3(Cells):
         return grid
 
     def to_pyvista(self) -> Any:
-        """Return a pyvista.UnstructuredGrid of the simplices, with copies of points and indices. `to_pyvista().plot()` shows
-        them, in a notebook, too."""
+        """Return a pyvista.UnstructuredGrid of the simplices, with copies of points and indices."""
         import pyvista
         points, cells = self._mesh()
         if len(cells) == 0:
             return pyvista.UnstructuredGrid()
         kind = getattr(pyvista.CellType, {3: "TETRA", 2: "TRIANGLE", 1: "LINE", 0: "VERTEX"}[self.dimension])
         return pyvista.UnstructuredGrid({kind: cells.copy()}, points.copy())
+
+    def plot(self, **options: Any) -> Any:
+        """Show the simplices by PyVista, in a notebook, too: what `to_pyvista().plot(show_edges=True, **options)` does and
+        returns."""
+        return self.to_pyvista().plot(**{"show_edges": True, **options})
 
     def to_meshio(self) -> Any:
         """Return a meshio.Mesh of the simplices, with copies of points and indices."""
