@@ -140,7 +140,7 @@ class Comparison(ProgramCase):
 
         lines = speed_tables.weights({"name": "weights", **report}).splitlines()
         self.assertEqual(len([line for line in lines if line.startswith("| cube, ")]), 3)
-        self.assertIn("for 1,000 points filled ", lines[-3])
+        self.assertIn("For 1,000 points geometric means are filled ", lines[-3])
         geogram = [column.strip() for column in lines[2].split("|") if "Geogram" in column]
         self.assertEqual(geogram, ["Geogram", "Geogram by 2 threads"] if "geogram" in LIBRARIES else [])
 
