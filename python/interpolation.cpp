@@ -52,7 +52,6 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -112,37 +111,6 @@ struct Values
   }
 };
 
-// A set of numbers, in the order in which they came. It is mostly small.
-class Met
-{
-public:
-  void clear()
-  {
-    items.clear();
-    if (!m_many.empty()) // else clearing would take as long as the largest set has taken
-      std::unordered_set<Index>().swap(m_many);
-  }
-  bool has(Index i) const
-  {
-    return items.size() < many ? std::find(items.begin(), items.end(), i) != items.end()
-                               : m_many.count(i) > 0;
-  }
-  void add(Index i)
-  {
-    items.push_back(i);
-    if (items.size() == many)
-      m_many.insert(items.begin(), items.end());
-    else if (items.size() > many)
-      m_many.insert(i);
-  }
-
-  std::vector<Index> items;
-
-private:
-  static constexpr std::size_t many = 64;
-  std::unordered_set<Index> m_many;
-};
-
 // Finds the vertex nearest to a point, for one thread, from the last one found: no vertex is nearer
 // than all its neighbours in a Delaunay triangulation unless it is the nearest of all.
 class Nearest_vertex
@@ -174,12 +142,12 @@ public:
     // Those at the same distance are on an empty sphere, and joined by edges.
     m_equal.clear();
     m_equal.add(m_last);
-    for (std::size_t i = 0; i < m_equal.items.size(); ++i)
-      for_neighbors(m_equal.items[i], step, [&](Index u) {
+    for (std::size_t i = 0; i < m_equal.items().size(); ++i)
+      for_neighbors(m_equal.items()[i], step, [&](Index u) {
         if (!m_equal.has(u) && compare(q, u, m_last) == 0)
           m_equal.add(u);
       });
-    return *std::min_element(m_equal.items.begin(), m_equal.items.end());
+    return *std::min_element(m_equal.items().begin(), m_equal.items().end());
   }
 
 private:
@@ -219,7 +187,7 @@ private:
   const Index* const m_items;
   const std::int64_t m_number, m_number_of_items;
   Index m_last;
-  Met m_equal;
+  core::Short_set<Index> m_equal;
 };
 
 // Returns a bound on the error of a number.
@@ -328,9 +296,9 @@ private:
     m_zone.add(c);
     m_facets.clear();
     m_hull.clear();
-    for (std::size_t i = 0; i < m_zone.items.size(); ++i, step(16))
+    for (std::size_t i = 0; i < m_zone.items().size(); ++i, step(16))
       for (unsigned k = 0; k < 4; ++k) {
-        const auto inside = std::size_t(m_zone.items[i]);
+        const auto inside = std::size_t(m_zone.items()[i]);
         const Index d = m_simplices.neighbor(inside, k);
         if (d >= 0 && m_zone.has(d))
           continue;
@@ -572,7 +540,7 @@ private:
   const View m_simplices;
   const Point_of m_point_of;
   const bool m_has_filter = core::obstacle_of_compiler() == nullptr;
-  Met m_zone;
+  core::Short_set<Index> m_zone;
   std::vector<Facet> m_facets, m_hull; // m_hull are those on the hull in a plane with q
   std::vector<Index> m_vertices;
   std::vector<Point> m_places;

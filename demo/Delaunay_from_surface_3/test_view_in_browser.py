@@ -18,6 +18,7 @@ AT_ONCE = "<script>window.requestAnimationFrame = (draw) => draw();</script>\n"
 LOOK = """<script>
 const steps = [];
 const element = (id) => document.getElementById(id);
+const press = (key, shiftKey) => document.body.dispatchEvent(new KeyboardEvent("keydown", {key, shiftKey, bubbles: true}));
 function look(name) {
   const gl = element("canvas").getContext("webgl");
   const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
@@ -45,7 +46,6 @@ function set(id, value) {
   element(id).value = value;
   element(id).dispatchEvent(new Event("input", {bubbles: true}));
 }
-const press = (key) => document.body.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true}));
 const pointer = (type, x, y) => element("canvas").dispatchEvent(
   new PointerEvent(type, {pointerId: 1, clientX: x, clientY: y, bubbles: true}));
 function use() {
@@ -77,7 +77,6 @@ use();
 
 # Changes the view, follows the link to it, and goes back.
 LINKS = """<script>
-const press = (key, shiftKey) => document.body.dispatchEvent(new KeyboardEvent("keydown", {key, shiftKey, bubbles: true}));
 look("begin");
 element("canvas").ownerDocument.querySelector("[name=up][value=z]").click();
 look("up");
@@ -177,9 +176,7 @@ class ViewInBrowser(ProgramCase):
         """They are dots in their hull, which is cut."""
         self.write("points.xyz", *(f"{x} {y} {z}" for x in range(4) for y in range(5) for z in range(3)))
         page = self.write_page("points.xyz")
-        steps = self.use(page, '<script>look("begin"); press("u"); look("whole");</script>'.replace(
-            "<script>", "<script>const press = (key) => document.body.dispatchEvent(new KeyboardEvent('keydown', "
-            "{key, bubbles: true}));"), REPORT)["steps"]
+        steps = self.use(page, '<script>look("begin"); press("u"); look("whole");</script>', REPORT)["steps"]
         self.assertGreater(steps[0]["colours"], 20)
         self.assertNotEqual(steps[0]["sum"], steps[1]["sum"])
         self.assertRegex(page, 'id="hull"')

@@ -356,7 +356,7 @@ function setUp(hash) {
 }
 
 // The part of the address that sets up what is seen now.
-function wishes() {
+function hashOfView() {
   const short = (x) => String(Number(x.toFixed(3))), degrees = (angle) => short(angle * 180 / Math.PI);
   const axis = document.querySelector("[name=axis]:checked").value, isUsual = axes[axis] && normal.dot(toViewer()) > 1e-3;
   const parts = [`axis=${isUsual ? axis : normal.toArray().map(short).join()}`, `plane=${$("plane").value}`, `show=${layers.filter(({object}) => object.visible).map(({id}) => id).join()}`,
@@ -364,7 +364,7 @@ function wishes() {
     `pan=${view.middle.toArray().map(short).join()}`];
   if (rounds.length > 0)
     parts.push(`rounds=${$("rounds-shown").value}`);
-  return parts.concat($("whole").checked ? ["whole"] : [], $("cuts-surface").checked ? [] : ["uncut"]).join("&");
+  return `#${parts.concat($("whole").checked ? ["whole"] : [], $("cuts-surface").checked ? [] : ["uncut"]).join("&")}`;
 }
 
 // Some frames may not have an address of their own.
@@ -383,9 +383,9 @@ function reset() {
 }
 
 function copyLink() {
-  const isAddress = setAddress(`#${wishes()}`), tell = (text) => { $("copied").textContent = text; };
+  const hash = hashOfView(), isAddress = setAddress(hash), tell = (text) => { $("copied").textContent = text; };
   const copied = isAddress && navigator.clipboard ? navigator.clipboard.writeText(location.href) : Promise.reject();
-  copied.then(() => tell("copied"), () => tell(isAddress ? "it is the address of this page now" : `#${wishes()}`));
+  copied.then(() => tell("copied"), () => tell(isAddress ? "it is the address of this page now" : hash));
 }
 
 function begin() {

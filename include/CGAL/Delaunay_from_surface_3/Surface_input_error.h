@@ -46,7 +46,7 @@ std::size_t index_of_end(const VertexIndexMap& index_map, const Vertex& v, std::
 {
   const auto index = static_cast<std::size_t>(get(index_map, v));
   if (index >= n)
-    throw Surface_input_error("an edge leads to a vertex that was removed");
+    throw Surface_input_error("an edge leads to a vertex that was removed: remove the edge, too");
   return index;
 }
 

@@ -73,6 +73,42 @@ private:
   }
 };
 
+// A set of numbers in the order in which they came, which is mostly small.
+template <class Index>
+class Short_set
+{
+public:
+  const std::vector<Index>& items() const { return m_items; }
+
+  bool has(Index i) const
+  {
+    return m_items.size() < many ? std::find(m_items.begin(), m_items.end(), i) != m_items.end()
+                                 : m_hashed.count(i) > 0;
+  }
+  void add(Index i)
+  {
+    if (has(i))
+      return;
+    m_items.push_back(i);
+    if (m_items.size() == many)
+      m_hashed.insert(m_items.begin(), m_items.end());
+    else if (m_items.size() > many)
+      m_hashed.insert(i);
+  }
+  void clear()
+  {
+    m_items.clear();
+    if (!m_hashed.empty()) // else clearing would take as long as the largest set has taken
+      std::unordered_set<Index>().swap(m_hashed);
+  }
+
+  static constexpr std::size_t many = 64;
+
+private:
+  std::vector<Index> m_items;
+  std::unordered_set<Index> m_hashed;
+};
+
 // Finds simplices for one thread. point_of(i) returns the coordinates of point i, as a
 // std::array<double, 3>.
 template <class Index, class PointOf>
@@ -166,11 +202,9 @@ private:
       return known->second;
     Index least = m_last;
     m_met.clear();
-    if (!m_many_met.empty()) // else clearing would take as long as the largest set has taken
-      std::unordered_set<Index>().swap(m_many_met);
-    m_met.push_back(m_last);
-    for (std::size_t i = 0; i < m_met.size(); ++i) {
-      const Index c = m_met[i];
+    m_met.add(m_last);
+    for (std::size_t i = 0; i < m_met.items().size(); ++i) {
+      const Index c = m_met.items()[i];
       if (i > 0)
         look(c, q, -1);
       const unsigned facets = m_facets;
@@ -178,11 +212,11 @@ private:
       for (unsigned k = 0; k < 4; ++k)
         if ((facets >> k & 1u) != 0) {
           const Index d = m_simplices.neighbor(std::size_t(c), k);
-          if (d >= 0 && is_new(d))
-            m_met.push_back(d);
+          if (d >= 0)
+            m_met.add(d);
         }
     }
-    if (m_met.size() >= many)
+    if (m_met.items().size() >= Short_set<Index>::many)
       m_least.emplace(face, least);
     return least;
   }
@@ -204,24 +238,12 @@ private:
     return face;
   }
 
-  bool is_new(Index d)
-  {
-    if (m_met.size() < many)
-      return std::find(m_met.begin(), m_met.end(), d) == m_met.end();
-    if (m_many_met.empty())
-      m_many_met.insert(m_met.begin(), m_met.end());
-    return m_many_met.insert(d).second;
-  }
-
-  static constexpr std::size_t many = 64;
-
   const Simplices_view<Index> m_simplices;
   const PointOf m_point_of;
   const bool m_has_filter = obstacle_of_compiler() == nullptr;
   Index m_last = 0;
   unsigned m_facets = 0;
-  std::vector<Index> m_met;
-  std::unordered_set<Index> m_many_met;
+  Short_set<Index> m_met;
   std::map<Face, Index> m_least; // around faces with many simplices
 };
 

@@ -113,7 +113,7 @@ public:
   \tparam EdgeOutputIterator accepts edge descriptors of `Graph`
 
   \return the output iterator past the last edge written
-  \pre there are n points
+  \throws Surface_input_error if an edge leads to a vertex that was removed, or has no point
   */
   template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
   EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,

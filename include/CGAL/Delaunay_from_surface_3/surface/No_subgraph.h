@@ -96,6 +96,7 @@ public:
   \param out receives the edges
 
   \return the output iterator past the last edge written
+  \throws Surface_input_error if an edge leads to a vertex that was removed
   */
   template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
   EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
