@@ -4,17 +4,24 @@ set(DELAUNAY_FROM_SURFACE_3_DOC_TAGFILES "" CACHE STRING
   "Tag files of other manuals that this one links, as CGAL's: FILE=URL;FILE=URL…")
 set(DELAUNAY_FROM_SURFACE_3_MATHJAX "/usr/share/javascript/mathjax" CACHE PATH
   "MathJax 2, which draws the manual's formulas: a folder with MathJax.js, as Debian's package libjs-mathjax has it")
+set(DELAUNAY_FROM_SURFACE_3_LIVE_PAGE "" CACHE FILEPATH
+  "The live page, as scripts/live makes it, for the front page of the manual; empty for none")
 
 find_package(Doxygen QUIET)
 find_package(Python3 COMPONENTS Interpreter QUIET)
 if(DOXYGEN_FOUND AND Python3_FOUND)
   set(DOC_OUTPUT_DIR "${PROJECT_BINARY_DIR}/doc")
   set(CGAL_PACKAGE_DIR "${PROJECT_SOURCE_DIR}")
+  if(DELAUNAY_FROM_SURFACE_3_LIVE_PAGE)
+    set(DOC_SECTIONS LIVE_PAGE)
+    set(copy_live_page COMMAND "${CMAKE_COMMAND}" -E copy "${DELAUNAY_FROM_SURFACE_3_LIVE_PAGE}" "${DOC_OUTPUT_DIR}/html/live.html")
+  endif()
   include("${CMAKE_CURRENT_LIST_DIR}/configure_manual.cmake")
   add_custom_target(doc
     COMMAND Doxygen::doxygen "${DOC_OUTPUT_DIR}/Doxyfile"
     COMMAND Python3::Interpreter -B "${CGAL_PACKAGE_DOC_DIR}/finish_pages.py" "${DOC_OUTPUT_DIR}/html"
       "${DELAUNAY_FROM_SURFACE_3_MATHJAX}"
+    ${copy_live_page}
     WORKING_DIRECTORY "${CGAL_PACKAGE_DOC_DIR}"
     COMMENT "Writing the manual to ${DOC_OUTPUT_DIR}"
     VERBATIM)

@@ -6,20 +6,18 @@
 everywhere. FOLDER is where it is made; CHROMIUM names the browser, if there is one."""
 
 import gzip
-import http.server
 import json
 import os
 import re
 import shutil
 import subprocess
 import tempfile
-import threading
 import unittest
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
-from headless_chromium import chromium, report_in
+from headless_chromium import chromium, report_in, served
 
 # How the tests run, and where they leave their report. The page is loaded, and its DOM dumped, when /done is there.
 IN_NODE = """import * as library from "delaunay-3";
@@ -37,34 +35,6 @@ PAGE = """<!DOCTYPE html>
 </script>
 <img src="/done" alt="">
 """
-
-
-class Server(http.server.ThreadingHTTPServer):
-    """Serves a folder, and /done only after a report."""
-
-    def __init__(self, folder):
-        self.is_done = is_done = threading.Event()
-
-        class Handler(http.server.SimpleHTTPRequestHandler):
-            extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".mjs": "text/javascript"}
-
-            def __init__(self, *arguments):
-                super().__init__(*arguments, directory=folder)
-
-            def do_GET(self):
-                if self.path == "/done":
-                    is_done.wait(200)
-                super().do_GET()
-
-            def do_POST(self):
-                is_done.set()
-                self.send_response(204)
-                self.end_headers()
-
-            def log_message(self, *_):
-                pass
-
-        super().__init__(("127.0.0.1", 0), Handler)
 
 
 class Npm(unittest.TestCase):
@@ -100,14 +70,8 @@ class Npm(unittest.TestCase):
     @unittest.skipUnless(os.environ.get("CHROMIUM"), "Chromium was not found")
     def test_browser(self):
         (self.user / "page.html").write_text(PAGE, encoding="utf-8")
-        with Server(self.user) as server:
-            thread = threading.Thread(target=server.serve_forever)
-            thread.start()
-            try:
-                dom = chromium(self.user, "--dump-dom", f"http://127.0.0.1:{server.server_address[1]}/page.html")
-            finally:
-                server.shutdown()
-                thread.join()
+        with served(self.user) as address:
+            dom = chromium(self.user, "--dump-dom", f"{address}/page.html")
         self.check(report_in(dom))
 
     def test_readme(self):

@@ -4,34 +4,17 @@
 
 """Reads the page that delaunay_from_surface --view writes; test_view_in_browser.py opens it."""
 
-import array
-import base64
 import json
 import os
 import re
 import subprocess
-import sys
 import unittest
 from pathlib import Path
 
+from headless_chromium import arrays_of
 from program_case import TORUS, ProgramCase
 
 TETRAHEDRON = ["OFF", "4 4 0", "0 0 0", "2 0 0", "0 2 0", "0 0 2", "3 0 2 1", "3 0 1 3", "3 1 2 3", "3 2 0 3"]
-
-
-def arrays_of(page):
-    """The arrays in a page, by their names."""
-    result = {}
-    codes = {"points": "f", "inside": "B", "rounds": "B"}
-    pattern = r'<script type="application/octet-stream" id="(\w+)" data-count="(\d+)">([^<]*)</script>'
-    for name, count, text in re.findall(pattern, page):
-        code = codes.get(name, "I")
-        numbers = array.array(code)
-        numbers.frombytes(base64.b64decode(text)[:int(count) * numbers.itemsize])
-        if sys.byteorder == "big":
-            numbers.byteswap()
-        result[name] = numbers
-    return result
 
 
 class View(ProgramCase):

@@ -7,9 +7,8 @@
 import os
 import unittest
 
-from headless_chromium import LISTEN, chromium, report_in
+from headless_chromium import LISTEN, arrays_of, chromium, report_in
 from program_case import TORUS, ProgramCase
-from test_view import arrays_of
 
 # Before the page's own scripts: all is done before the page is loaded, and its DOM dumped.
 AT_ONCE = "<script>window.requestAnimationFrame = (draw) => draw();</script>\n"
@@ -113,6 +112,34 @@ for (let k = 0; k < 12; ++k) {
 </script>
 """
 
+# Clicks the foremost of the points that are seen, and then beside all.
+CLICK = """<script>
+const canvas = element("canvas");
+function click(x, y, way = 0) {
+  const {left, top} = canvas.getBoundingClientRect();
+  for (const [type, by] of [["pointerdown", 0], ["pointermove", way], ["pointerup", way]])
+    canvas.dispatchEvent(new PointerEvent(type, {pointerId: 1, clientX: left + x + by, clientY: top + y, bubbles: true}));
+  draw();
+}
+look("begin");
+const place = new THREE.Vector3(), depths = Array.from(heights, (height, i) =>
+  height > offset ? Infinity : place.fromArray(points, 3 * i).distanceTo(camera.position));
+const foremost = depths.indexOf(Math.min(...depths));
+place.fromArray(points, 3 * foremost).project(camera);
+click((place.x + 1) / 2 * canvas.clientWidth, (1 - place.y) / 2 * canvas.clientHeight, 20);
+look("dragged");
+reset();
+draw();
+click((place.x + 1) / 2 * canvas.clientWidth, (1 - place.y) / 2 * canvas.clientHeight);
+press("c");
+look("clicked");
+click(0, 0);
+look("beside");
+const {faces, neighbors} = voronoiCell(foremost);
+steps.push({chosen, foremost, neighbors, faces: faces.length, text: element("chosen").textContent});
+</script>
+"""
+
 # Writes what was seen into the page.
 REPORT = """<script>
 const report = document.createElement("pre");
@@ -166,11 +193,23 @@ class ViewInBrowser(ProgramCase):
         self.assertEqual(report["problems"], [])
         sums = {step["name"]: step["sum"] for step in steps}
         self.assertEqual({step["link"] for step in steps if step["name"] == "again"}, {steps[3]["link"]})
-        self.assertRegex(steps[3]["link"], r"#axis=-?[.\d]+,-?[.\d]+,-?[.\d]+&plane=0.3&show=surface,inside&up=z&turn=.*&rounds=\d+&whole$")
+        self.assertRegex(steps[3]["link"], r"#axis=-?[.\d]+,-?[.\d]+,-?[.\d]+&plane=0.3&show=surface,inside,voronoi&up=z&turn=.*&rounds=\d+&whole$")
         self.assertEqual([sums["twice"], sums["reset"], sums["nonsense"]], [sums["again"], sums["begin"], sums["begin"]])
         cuts = {step["name"]: step["cut"] for step in steps}
         self.assertEqual(cuts["again"], cuts["moved"])  # but for rounding, the same picture
         self.assertEqual(len({sums[name] for name in ("begin", "up", "panned", "moved")}), 4)
+
+    def test_voronoi(self):
+        """The cell of a point that is clicked is shown, and stays; a drag chooses none."""
+        steps = self.use(self.write_page(TORUS), CLICK, REPORT)["steps"]
+        seen = {step["name"]: step for step in steps[:-1]}
+        self.assertNotEqual(seen["clicked"]["sum"], seen["begin"]["sum"])
+        self.assertEqual(seen["beside"]["sum"], seen["clicked"]["sum"])
+        self.assertEqual(steps[-1]["chosen"], steps[-1]["foremost"])
+        self.assertEqual(steps[-1]["text"], f"{steps[-1]['neighbors']} neighbours")
+        self.assertTrue(4 <= steps[-1]["faces"] <= steps[-1]["neighbors"] + 6)
+        self.assertIn(f"&point={steps[-1]['chosen']}", seen["clicked"]["link"])
+        self.assertNotIn("point=", seen["dragged"]["link"])
 
     def test_points_alone(self):
         """They are dots in their hull, which is cut."""

@@ -43,6 +43,7 @@
 extern const char* const view_html;
 extern const char* const view_css;
 extern const char* const cut_js;
+extern const char* const voronoi_js;
 extern const char* const view_js;
 
 // Strings of browsers have at most half a gigabyte.
@@ -227,6 +228,8 @@ inline void write_page(std::ostream& out, const std::string& name, const std::st
       out << std::ifstream(three_js, std::ios::binary).rdbuf() << '\n';
     else if (line == "<!--cut.js-->")
       out << cut_js;
+    else if (line == "<!--voronoi.js-->")
+      out << voronoi_js;
     else if (line == "<!--view.js-->")
       out << view_js;
     else

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the page that delaunay_from_surface --view writes shows, and what its user does. The program puts the
-// data, three.js, cut.js and this file into view.html. What follows # in the address sets the page up, and "copy link"
+// What the page that delaunay_from_surface --view writes shows, and what its user does. The program, or
+// the live page, puts the data, three.js, cut.js, voronoi.js and this file into view.html. What follows # in the address sets the page up, and "copy link"
 // writes it; each part may be left out:
 //   axis=z       the plane's: x, y or z, or v for the view, turned towards the viewer; or 0.6,0,0.8, turned as it says
 //   plane=0.4    where it is, from 0 to 1: at 1 nothing is cut
@@ -11,12 +11,13 @@
 //   show=surface,inside,…   the layers; rounds=3: how many of them
 //   up=z         the axis that points up; turn=30,-20: by how many degrees the view is turned to the right, and up
 //   zoom=1.2, pan=0.1,0,0   what is in the middle, where the longest side of the box goes from -1 to 1
+//   point=17     whose Voronoi cell is shown
 
 "use strict";
 // --- What is shown ---
 
 $("name").textContent = document.title = info.name;
-$("counts").textContent = `${(points.length / 3).toLocaleString()} vertices, ` +
+$("counts").textContent = `${isVertex.reduce((sum, is) => sum + is, 0).toLocaleString()} vertices, ` +
   `${(tetrahedra.length / 4).toLocaleString()} tetrahedra`;
 
 const layers = [];
@@ -49,13 +50,51 @@ const clipped = {clippingPlanes: [clippingPlane]};
 const faceted = {flatShading: true, side: THREE.DoubleSide, shininess: 0, specular: 0,
   polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}; // lines lie in front
 
-function addCells(id, label, kind) {
+// Faces, and their edges.
+function facesAndLines(more) {
   const group = new THREE.Group();
-  group.add(new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshPhongMaterial(faceted)));
+  group.add(new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshPhongMaterial({...faceted, ...more})));
   const pen = new THREE.LineBasicMaterial({transparent: true, opacity: 0.6});
   group.add(new THREE.LineSegments(new THREE.BufferGeometry(), pen));
   group.children.forEach((child) => child.frustumCulled = false);
-  addLayer(id, label, group, true, {isCells: true, kind});
+  return group;
+}
+
+const addCells = (id, label, kind) => addLayer(id, label, facesAndLines(), true, {kind});
+
+// Nothing, until a point is chosen.
+function addVoronoi() {
+  addLayer("voronoi", `Voronoi cell of a point: <span id="chosen"></span>`, facesAndLines({transparent: true, opacity: 0.6}), true);
+}
+
+let chosen = -1; // the point, if there is one
+
+function showVoronoi(i) {
+  const layer = layers.find(({id}) => id === "voronoi");
+  if (!layer)
+    return;
+  chosen = isVertex[siteOf(i)] ? i : -1;
+  const {object} = layer, {faces, neighbors} = chosen < 0 ? {faces: []} : voronoiCell(i);
+  const triangles = [], lines = [], at = points.subarray(3 * i, 3 * i + 3);
+  const add = (array, ...corners) => corners.forEach((x) => array.push(...x.map((coordinate, k) => coordinate + at[k])));
+  for (const face of faces)
+    face.forEach((x, k) => {
+      add(lines, x, face[(k + 1) % face.length]);
+      if (k > 1)
+        add(triangles, face[0], face[k - 1], x);
+    });
+  [triangles, lines].forEach((array, k) => {
+    object.children[k].geometry.dispose();
+    object.children[k].geometry.setAttribute("position", new THREE.BufferAttribute(Float32Array.from(array), 3));
+  });
+  $("chosen").textContent = chosen < 0 ? "click it" : `${neighbors} neighbours`;
+  drawSoon();
+}
+
+function choosePoint(x, y) {
+  const i = pointAt(x, y, camera, $("canvas"), $("cuts-surface").checked);
+  if (i !== undefined)
+    showVoronoi(i);
 }
 
 // Each round in its colour; the first, of few points, as the largest dots.
@@ -93,8 +132,9 @@ function showRounds() {
 function addLayers() {
   if (triangles.length > 0)
     addLayer("surface", "surface", new THREE.Mesh(onPoints(triangles), new THREE.MeshPhongMaterial(faceted)), true);
-  if (hull.length > 0) {
+  if (hull.length > 0)
     addLayer("surface", "hull", new THREE.Mesh(onPoints(hull), new THREE.MeshPhongMaterial(faceted)), true);
+  if (triangles.length === 0) {
     const all = Uint32Array.from({length: points.length / 3}, (_, i) => i);
     addLayer("points", "points", new THREE.Points(onPoints(all), new THREE.PointsMaterial({size: 3, sizeAttenuation: false,
       ...clipped})), true);
@@ -110,11 +150,13 @@ function addLayers() {
       new THREE.LineSegments(onPoints(subgraph), new THREE.LineBasicMaterial(clipped)), false);
   if (rounds.length > 0)
     addRounds();
+  if (tetrahedra.length > 0)
+    addVoronoi();
 }
 
 function cutCells() {
   const found = cellsAtPlane(), add = $("whole").checked ? addWhole : addSection;
-  for (const {object, kind} of layers.filter((layer) => layer.isCells)) {
+  for (const {object, kind} of layers.filter((layer) => layer.kind !== undefined)) {
     const cells = object.visible ? found[kind] : [];
     const faces = new Positions(12 * cells.length), lines = new Positions(12 * cells.length);
     cells.forEach((t) => add(t, faces, lines));
@@ -149,10 +191,11 @@ function paint() {
   const style = getComputedStyle(document.documentElement);
   const colour = (name) => style.getPropertyValue(`--${name}`).trim();
   scene.background = new THREE.Color(colour("ground"));
-  for (const {id, object, isCells} of layers) {
-    if (isCells)
-      object.children[1].material.color.set(colour("line"));
-    const material = isCells ? object.children[0].material : object.material;
+  for (const {id, object} of layers) {
+    const [faces, lines] = id === "rounds" ? [] : object.children;
+    if (lines)
+      lines.material.color.set(colour("line"));
+    const material = faces ? faces.material : object.material;
     if (material)
       material.color.set(colour(id));
   }
@@ -250,7 +293,7 @@ function step(by) {
 }
 
 const keys = {x: () => chooseAxis("x"), y: () => chooseAxis("y"), z: () => chooseAxis("z"), v: () => chooseAxis("v"),
-  f: flipPlane, w: () => $("whole").click(), u: () => $("cuts-surface").click(), r: reset, c: copyLink,
+  p: () => choosePoint($("canvas").clientWidth / 2, $("canvas").clientHeight / 2), f: flipPlane, w: () => $("whole").click(), u: () => $("cuts-surface").click(), r: reset, c: copyLink,
   ArrowLeft: () => step(-0.01), ArrowRight: () => step(0.01), "+": () => zoom(1.1), "-": () => zoom(1 / 1.1),
   i: () => pan(0, -20), k: () => pan(0, 20), j: () => pan(-20, 0), l: () => pan(20, 0)};
 const keysWithShift = {ArrowLeft: () => turn(-0.1, 0), ArrowRight: () => turn(0.1, 0), ArrowUp: () => turn(0, -0.1),
@@ -276,7 +319,7 @@ function followPointers(canvas) {
   };
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
   canvas.addEventListener("pointerdown", (event) => {
-    pointers.set(event.pointerId, {x: event.clientX, y: event.clientY, pans: event.shiftKey || event.button > 0});
+    pointers.set(event.pointerId, {x: event.clientX, y: event.clientY, pans: event.shiftKey || event.button > 0, isClick: pointers.size === 0});
   });
   window.addEventListener("pointermove", (event) => {
     const pointer = pointers.get(event.pointerId);
@@ -285,12 +328,18 @@ function followPointers(canvas) {
     const before = {...pointer}, wide = pointers.size === 2 ? spread() : 0;
     Object.assign(pointer, {x: event.clientX, y: event.clientY});
     const right = pointer.x - before.x, down = pointer.y - before.y;
+    pointer.way = (pointer.way || 0) + Math.abs(right) + Math.abs(down);
     if (pointers.size === 2)
       zoom(wide > 0 ? spread() / wide : 1), pan(right / 2, down / 2);
     else if (pointer.pans)
       pan(right, down);
     else
       turn(-0.008 * right, -0.008 * down);
+  });
+  window.addEventListener("pointerup", (event) => {
+    const pointer = pointers.get(event.pointerId), {left, top} = canvas.getBoundingClientRect();
+    if (pointer && pointer.isClick && !(pointer.way > 4)) // else it was a drag
+      choosePoint(event.clientX - left, event.clientY - top);
   });
   for (const name of ["pointerup", "pointercancel"])
     window.addEventListener(name, (event) => pointers.delete(event.pointerId));
@@ -347,6 +396,8 @@ function setUp(hash) {
   $("plane").value = numbers("plane", 0.5)[0];
   $("cuts-surface").checked = !wishes.has("uncut");
   cutSurface();
+  const [point] = numbers("point", -1);
+  showVoronoi(point);
   if (rounds.length > 0) {
     $("rounds-shown").value = numbers("rounds", Number($("rounds-shown").max))[0];
     showRounds();
@@ -364,6 +415,8 @@ function hashOfView() {
     `pan=${view.middle.toArray().map(short).join()}`];
   if (rounds.length > 0)
     parts.push(`rounds=${$("rounds-shown").value}`);
+  if (chosen >= 0)
+    parts.push(`point=${siteOf(chosen)}`);
   return `#${parts.concat($("whole").checked ? ["whole"] : [], $("cuts-surface").checked ? [] : ["uncut"]).join("&")}`;
 }
 
