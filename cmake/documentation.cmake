@@ -58,6 +58,7 @@ if(PROJECT_IS_TOP_LEVEL AND DELAUNAY_FROM_SURFACE_3_XVFB_RUN AND DELAUNAY_FROM_S
     COMMAND write_scenes "${data}/elephant.off" "${scenes}"
     COMMAND generate_surface --shape genus --genus 3 --vertices 4000 --jitter 0.05 --output "${scenes}/genus_3.off"
     COMMAND write_cut_and_subgraph "${scenes}/genus_3.off" "${scenes}/cut.vtk"
+    COMMAND reconstruct_surface "${data}/elephant.off" "${scenes}/elephant_surface.off"
     COMMAND "${DELAUNAY_FROM_SURFACE_3_XVFB_RUN}" -a /usr/bin/python3 -B "${figures_dir}/render.py"
       "${scenes}" "${figures_dir}"
     COMMENT "Rendering the pictures of the manual"

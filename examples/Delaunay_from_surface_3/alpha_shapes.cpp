@@ -16,7 +16,7 @@
 #include <CGAL/Fixed_alpha_shape_3.h>
 #include <CGAL/Fixed_alpha_shape_cell_base_3.h>
 #include <CGAL/Fixed_alpha_shape_vertex_base_3.h>
-#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/IO/read_points.h>
 #include <CGAL/Timer.h>
 #include <CGAL/Triangulation_data_structure_3.h>
 
@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -66,9 +67,11 @@ bool is_same_shape(const std::vector<Point>& points, double alpha, const std::st
 {
   CGAL::Timer ours, plain;
   ours.start();
+  // [shape]
   Triangulation tr;
   CGAL::insert_points_3(tr, points);
   Shape shape(tr, alpha); // moves the contents of tr
+  // [shape]
   ours.stop();
   plain.start();
   Shape plain_shape(points.begin(), points.end(), alpha);
@@ -84,8 +87,7 @@ int main(int argc, char* argv[])
   const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
   const double alpha = argc > 2 ? std::atof(argv[2]) : 0.05; // the square of a radius
   std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> unused_faces;
-  if (!CGAL::IO::read_polygon_soup(file_name, points, unused_faces)) {
+  if (!CGAL::IO::read_points(file_name, std::back_inserter(points))) {
     std::cerr << "Cannot read " << file_name << '\n';
     return EXIT_FAILURE;
   }

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Tetrahedra and their neighbours as arrays of indices, and which of them are inside the surface.
+// The second argument names a file for these, which ParaView opens, such as inside.vtk.
 
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/inside_of_surface_3.h>
@@ -15,11 +16,29 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <string>
 #include <vector>
 
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+
+using Tetrahedra = std::vector<std::array<std::int32_t, 4>>;
+
+void write_vtk(std::ostream& out, const std::vector<Point>& points, const Tetrahedra& tetrahedra)
+{
+  out.precision(17);
+  out << "# vtk DataFile Version 3.0\ntetrahedra\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS "
+      << points.size() << " double\n";
+  for (const Point& p : points)
+    out << p << '\n';
+  out << "CELLS " << tetrahedra.size() << ' ' << 5 * tetrahedra.size() << '\n';
+  for (const auto& v : tetrahedra)
+    out << "4 " << v[0] << ' ' << v[1] << ' ' << v[2] << ' ' << v[3] << '\n';
+  out << "CELL_TYPES " << tetrahedra.size() << '\n';
+  for (std::size_t i = 0; i < tetrahedra.size(); ++i)
+    out << "10\n"; // VTK's number of tetrahedra
+}
 
 int main(int argc, char* argv[])
 {
@@ -32,21 +51,33 @@ int main(int argc, char* argv[])
   }
 
   try {
+    // [inside]
     const auto arrays = CGAL::delaunay_3_arrays(points, faces); // or of points alone
     if (!CGAL::is_valid_delaunay_3_arrays(arrays, points))      // for arrays from any source
       return EXIT_FAILURE;
     const CGAL::Inside_3 inside = CGAL::inside_of_surface_3(points, faces, arrays);
 
+    Tetrahedra tetrahedra;
     double volume = 0;
     std::size_t skin = 0; // facets between inside and outside
     for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c) {
       if (!inside[c])
         continue;
       const std::array<std::int32_t, 4> v = arrays.vertices(c);
+      tetrahedra.push_back(v);
       const auto corner = [&](std::size_t k) { return points[std::size_t(v[k])]; };
       volume += CGAL::volume(corner(0), corner(1), corner(2), corner(3));
       for (const std::int32_t neighbor : arrays.neighbors(c))
         skin += std::size_t(arrays.is_infinite(neighbor) || !inside[std::size_t(neighbor)]);
+    }
+    // [inside]
+    if (argc > 2) {
+      std::ofstream file(argv[2]);
+      write_vtk(file, points, tetrahedra);
+      if (!file.flush()) {
+        std::cerr << "Cannot write " << argv[2] << '\n';
+        return EXIT_FAILURE;
+      }
     }
     std::cout << arrays.number_of_simplices() << " tetrahedra; those inside have volume " << volume
               << " and " << skin << " facets to the outside\n";

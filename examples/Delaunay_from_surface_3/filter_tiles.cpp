@@ -87,10 +87,12 @@ int main(int argc, char* argv[])
       file.write(reinterpret_cast<const char*>(p), sizeof(p));
     }
   }
+  // [tiles]
   const CGAL::Point_files_3 points({folder / "lattice.raw"});
   CGAL::Tiles_in_files_3 engine(folder / "tiles");
   CGAL::Tiles_options options;
-  options.number_of_tiles = 8;
+  options.number_of_tiles = 8; // or options.memory, in bytes
+  // [tiles]
 
   std::size_t small = 0, cubes = 0;
   const auto report = CGAL::delaunay_3_tiles(

@@ -45,6 +45,7 @@ int main()
   constexpr double period = 10;
   const std::array<double, 3> box = {{period, period, period}};
   const std::vector<Point> points = points_in(period, 20000);
+  // [box]
   const auto arrays = CGAL::periodic_delaunay_3_arrays(points, box);
 
   std::vector<double> volumes(points.size()); // of the tetrahedra at each point
@@ -65,6 +66,7 @@ int main()
     for (const auto v : vertices)
       volumes[std::size_t(v)] += volume;
   }
+  // [box]
 
   const auto [smallest, largest] = std::minmax_element(volumes.begin(), volumes.end());
   std::cout << arrays.number_of_simplices() << " tetrahedra, of " << points.size() << " points and "

@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A surface from points alone: CGAL's advancing front accepts a Delaunay triangulation that is
-// already built. The triangles are those of CGAL's function that inserts the points itself.
+// already built. The triangles are those of CGAL's function that inserts the points itself. The
+// second argument names a file for them, such as surface.off.
 
 #include <CGAL/insert_points_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -12,6 +13,7 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/IO/read_points.h>
 #include <CGAL/Timer.h>
 #include <CGAL/Triangulation_data_structure_3.h>
 
@@ -47,15 +49,15 @@ int main(int argc, char* argv[])
 {
   const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
   std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> unused_faces;
-  if (!CGAL::IO::read_polygon_soup(file_name, points, unused_faces)) {
+  if (!CGAL::IO::read_points(file_name, std::back_inserter(points))) {
     std::cerr << "Cannot read " << file_name << '\n';
     return EXIT_FAILURE;
   }
 
-  // The info of the vertices must be the indices of their points.
   CGAL::Timer ours;
   ours.start();
+  // [front]
+  // The info of the vertices must be the indices of their points.
   std::vector<std::pair<Point, std::size_t>> numbered;
   for (const Point& p : points)
     numbered.emplace_back(p, numbered.size());
@@ -70,7 +72,13 @@ int main(int argc, char* argv[])
   front.run();
   Facets facets;
   CGAL::write_triple_indices(std::back_inserter(facets), front);
+  // [front]
   ours.stop();
+
+  if (argc > 2 && !CGAL::IO::write_polygon_soup(argv[2], points, facets)) {
+    std::cerr << "Cannot write " << argv[2] << '\n';
+    return EXIT_FAILURE;
+  }
 
   CGAL::Timer plain;
   plain.start();

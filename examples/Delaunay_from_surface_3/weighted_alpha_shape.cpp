@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The weighted alpha shape of a chain of balls like a molecule: with alpha 0 it is dual to the
-// union of the balls. The type of the triangulation is all that differs from plain CGAL.
+// union of the balls. The type of the triangulation is all that differs from plain CGAL. A file may
+// be named that has x, y, z and a radius of each ball.
 
 #include <CGAL/insert_weighted_points_3.h>
 
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -35,7 +37,9 @@ using Cell_base =
     CGAL::Fixed_alpha_shape_cell_base_3<K, CGAL::Regular_triangulation_cell_base_3<K>>;
 using Tds = CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>;
 
+// [types]
 using Alpha_shape = CGAL::Fixed_alpha_shape_3<CGAL::Regular_from_points_3<K, Tds>>;
+// [types]
 using Plain_alpha_shape = CGAL::Fixed_alpha_shape_3<CGAL::Regular_triangulation_3<K, Tds>>;
 
 // A random walk in a box, of steps as long as bonds, with the radii of carbon, nitrogen and oxygen,
@@ -59,6 +63,15 @@ std::vector<Ball> chain_of_balls(std::size_t n)
     const double radius = radii[balls.size() % 3] + water;
     balls.emplace_back(center, radius * radius);
   }
+  return balls;
+}
+
+std::vector<Ball> read_balls(const char* file_name)
+{
+  std::ifstream file(file_name);
+  std::vector<Ball> balls;
+  for (double x, y, z, radius; file >> x >> y >> z >> radius;)
+    balls.emplace_back(K::Point_3(x, y, z), radius * radius);
   return balls;
 }
 
@@ -105,7 +118,11 @@ Counts counts_of_shape(const std::vector<Ball>& balls, const std::string& name)
 
 int main(int argc, char* argv[])
 {
-  const std::vector<Ball> balls = chain_of_balls(argc > 1 ? std::stoul(argv[1]) : 20000);
+  const std::vector<Ball> balls = argc > 1 ? read_balls(argv[1]) : chain_of_balls(20000);
+  if (balls.empty()) {
+    std::cerr << "There are no balls in " << argv[1] << '\n';
+    return EXIT_FAILURE;
+  }
   const Counts counts = counts_of_shape<Alpha_shape>(balls, "Regular_from_points_3");
   return counts == counts_of_shape<Plain_alpha_shape>(balls, "Regular_triangulation_3")
              ? EXIT_SUCCESS

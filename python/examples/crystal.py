@@ -51,11 +51,13 @@ def draw(cells, titles, file):
 if __name__ == "__main__":
     atoms, box = copper(8, .05, np.random.default_rng(1))
     vacancy, atoms = atoms[1000], np.delete(atoms, 1000, axis=0)
+    # [cells]
     diagram = dfs.delaunay3(atoms, box=box, threads=None)
+    volumes, coordination = diagram.voronoi_volumes, diagram.coordination(min_solid_angle=.3)
+    # [cells]
     difference = atoms - vacancy
     distances = np.linalg.norm(difference - box * np.rint(difference / box), axis=1)
     is_near = np.isin(np.arange(len(atoms)), np.argsort(distances)[:12])
-    volumes, coordination = diagram.voronoi_volumes, diagram.coordination(min_solid_angle=.3)
     print(f"{len(atoms)} atoms in {volumes.sum():.6f} of {box.prod():.6f} cubic ångström")
     for name, which in (("neighbours of the vacancy", is_near), ("all other atoms", ~is_near)):
         numbers, counts = np.unique(coordination[which], return_counts=True)

@@ -22,13 +22,15 @@ def function(x):
 
 def main():
     points = np.random.default_rng(0).random((2000, 3))
-    triangulation = dfs.delaunay3(points)
     u, v = np.meshgrid(np.linspace(0, 1, 400), np.linspace(0, 1, 400))
     xi = np.stack([u, v, np.full_like(u, .5)], axis=-1)
+    # [interpolate]
+    triangulation = dfs.delaunay3(points)
     found = dfs.LinearInterpolator(triangulation, function(points))(xi)
+    smooth = dfs.NaturalNeighborInterpolator(triangulation, function(points))(xi[::10, ::10])
+    # [interpolate]
     print(f"mean error inside the hull: {np.nanmean(abs(found - function(xi))):.4f}; "
           f"{np.isnan(found).sum()} of {found.size} points are outside")
-    smooth = dfs.NaturalNeighborInterpolator(triangulation, function(points))(xi[::10, ::10])
     print(f"between natural neighbours: {np.nanmean(abs(smooth - function(xi[::10, ::10]))):.4f}")
     everywhere = dfs.LinearInterpolator(triangulation, function(points), outside="nearest")(xi)
     print(f"with the nearest vertex outside, everywhere: {abs(everywhere - function(xi)).mean():.4f}")

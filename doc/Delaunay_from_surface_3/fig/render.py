@@ -15,6 +15,7 @@ In the folder INPUTS are
   fine.vtu        the same of refined_elephant.off, for the medial axis
   nets.vtk, first_round.vtk, path.vtk     write_scenes elephant.off INPUTS
   cut.vtk         write_cut_and_subgraph genus_3.off cut.vtk
+  elephant_surface.off                    reconstruct_surface elephant.off elephant_surface.off
 """
 
 import argparse
@@ -404,8 +405,53 @@ def medial_axis(inputs, file_name):
     scene.write(file_name)
 
 
+def cloud_and_surface(inputs, file_name):
+    """Left the points, right the surface that the advancing front makes of them."""
+    places, faces = read_off(os.path.join(inputs, "elephant_surface.off"))
+    scene = Scene(1500, 870, panels=2)
+    scene.add(balls(places, 0.0028 * diameter(places)), STEEL, 0, smooth=True)
+    scene.add(polydata(places, faces), GREY, 1, edges=(0.45, 0.50, 0.58), width=0.6)
+    scene.look(VIEW, zoom=1.35)
+    scene.write(file_name, on_white=True)
+
+
+def alpha_triangles(points, corners, alpha):
+    """The triangles of the alpha complex that do not have tetrahedra of it on both sides."""
+    centers, is_sound = circumcenters(points[corners])
+    radii = np.where(is_sound, np.linalg.norm(centers - points[corners[:, 0]], axis=1), np.inf)
+    facets = np.sort(corners[:, FACETS], axis=2).reshape(-1, 3)
+    apexes, balls_of_cells = corners[:, [3, 2, 1, 0]].ravel(), np.repeat(radii, 4)
+    triangles, of_facets, counts = np.unique(facets, axis=0, return_inverse=True, return_counts=True)
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    normals = np.cross(b - a, c - a)
+    middles = a + (np.cross(normals, b - a) * ((c - a) ** 2).sum(axis=1, keepdims=True)
+                   + np.cross(c - a, normals) * ((b - a) ** 2).sum(axis=1, keepdims=True)) / (
+                       2 * (normals ** 2).sum(axis=1, keepdims=True))
+    own = np.linalg.norm(middles - a, axis=1)
+    least = np.full(len(triangles), np.inf)
+    np.minimum.at(least, of_facets, balls_of_cells)
+    is_empty = np.ones(len(triangles), dtype=bool)
+    np.logical_and.at(is_empty, of_facets, np.linalg.norm(points[apexes] - middles[of_facets], axis=1) > own[of_facets])
+    filled = np.bincount(of_facets, weights=balls_of_cells <= alpha)
+    return triangles[(np.where(is_empty, own, least) <= alpha) & (filled < 2)]
+
+
+def alpha_shapes(inputs, file_name):
+    """Of the same points, for three radii."""
+    grid = read(inputs, "elephant.vtu")
+    points, corners = points_of(grid), corners_of(grid)
+    scene = Scene(1500, 600, panels=3)
+    for panel, share in enumerate((0.009, 0.02, 0.12)):
+        triangles = alpha_triangles(points, corners, share * diameter(points))
+        print("alpha_shapes:", share * diameter(points), len(triangles))
+        scene.add(balls(points, 0.0022 * diameter(points)), STEEL, panel, smooth=True)
+        scene.add(polydata(points, triangles), ORANGE, panel, edges=(0.62, 0.36, 0.04), width=0.5)
+    scene.look(VIEW, zoom=1.35)
+    scene.write(file_name, on_white=True)
+
+
 PICTURES = {"cut_open": cut_open, "surface_and_cut": surface_and_cut, "nets": nets, "trace": trace, "cut_and_subgraph": cut_and_subgraph,
-            "medial_axis": medial_axis}
+            "medial_axis": medial_axis, "cloud_and_surface": cloud_and_surface, "alpha_shapes": alpha_shapes}
 
 
 def main():

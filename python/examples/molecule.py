@@ -1,0 +1,61 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+
+"""The alpha shape of a cloud, and the weighted one of a molecule.
+
+    python molecule.py [balls.txt]
+
+The file has x, y, z and a radius in each line; without it, the balls are those of a chain in a box. With alpha 0 the weighted
+alpha complex is dual to the union of the balls: a ball, pair or triple is in it if it has a common place that is in no other
+power cell. So the complex says which balls meet, and which are buried: all tetrahedra around these are in it.
+"""
+
+import sys
+
+import numpy as np
+
+import delaunay_from_surface as dfs
+
+
+def chain(n, random):
+    """A random walk in a box, of steps as long as bonds, with radii of atoms, each enlarged by that of water (Å)."""
+    half, steps = 1.2 * np.cbrt(n), random.normal(size=(8 * n, 3))
+    centers = [np.zeros(3)]
+    for step in 1.5 * steps / np.linalg.norm(steps, axis=1, keepdims=True):
+        if (abs(centers[-1] + step) < half).all() and len(centers) < n:
+            centers.append(centers[-1] + step)
+    return np.array(centers), np.resize([1.7, 1.55, 1.52], len(centers)) + 1.4
+
+
+def boundary(triangulation, complex_):
+    """The triangles of the complex that have at most one of its tetrahedra."""
+    cells = np.sort(triangulation.simplices[complex_.simplices], axis=1)
+    facets = cells[:, [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]].reshape(-1, 3)
+    both, counts = np.unique(np.concatenate([facets, complex_.triangles]), axis=0, return_counts=True)
+    return both[counts < 3]
+
+
+if __name__ == "__main__":
+    centers, radii = chain(5000, np.random.default_rng(1))
+    if len(sys.argv) > 1:
+        centers, radii = np.split(np.loadtxt(sys.argv[1]), [3], axis=1)
+        radii = radii[:, 0]
+
+    # [cloud]
+    cloud = dfs.delaunay3(centers, threads=None)
+    for radius in (1.5, 2, 3):
+        shape = cloud.alpha_complex(radius)
+        skin = boundary(cloud, shape)
+        print(f"alpha {radius}: {len(shape.simplices)} tetrahedra, {len(skin)} triangles on the boundary")
+    # [cloud]
+
+    # [balls]
+    balls = dfs.delaunay3(centers, weights=radii ** 2, threads=None)
+    dual = balls.alpha_complex(0)
+    around = np.bincount(balls.simplices.ravel(), minlength=len(centers))
+    filled = np.bincount(balls.simplices[dual.simplices].ravel(), minlength=len(centers))
+    buried = np.setdiff1d(np.flatnonzero((around > 0) & (around == filled)), balls.convex_hull)
+    # [balls]
+    print(f"{len(centers)} balls: {len(dual.vertices) - len(buried)} at the surface, {len(buried)} inside, "
+          f"{len(balls.hidden)} hidden by others; {len(dual.edges)} pairs and {len(dual.triangles)} triples meet")
