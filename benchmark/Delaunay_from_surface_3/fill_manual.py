@@ -21,7 +21,7 @@ import kit_tables
 import paper_tables
 import speed_tables
 import use_tables
-from manual_tables import cpu_of, read, table
+from manual_tables import cpu_of, read, table, with_caption_below
 from one_record_per_line import rewrite
 
 HERE = Path(__file__).resolve().parent
@@ -140,7 +140,6 @@ def list_of_results(*reports):
 
 TABLES = [  # page, marker, names of results, and the function that makes the text of them
     (README, "times", ["calls_256k"], speed_tables.times_of_readme),
-    (README, "collections", ["orders", "orders_200k", "demo_meshes"], speed_tables.collections),
     (README, "peers", ["compare_peers"], speed_tables.peers_of_readme),
     (README, "control", ["control_64k", "control_256k"], paper_tables.control_of_readme),
     (README, "python", ["python"], use_tables.python_of_readme),
@@ -159,6 +158,7 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (HOW_FAST, "sixteen_cores", ["threads_16_cores"], speed_tables.sixteen_cores),
     (HOW_FAST, "sizes", ["small_meshes", "demo_meshes", "threads_64k", "calls_256k", "calls_1M", "threads_4M"],
      speed_tables.sizes),
+    (HOW_FAST, "collections", ["orders", "orders_200k", "demo_meshes"], speed_tables.collections),
     (HOW_FAST, "gains", ["compare_64k"], speed_tables.gains),
     (HOW_FAST, "hard", ["orders", "orders_200k", "orders_walks", "flat_and_far"], speed_tables.hard),
     (HOW_FAST, "boxes", ["orders_walks"], speed_tables.boxes),
@@ -204,7 +204,7 @@ BLOCK = re.compile(r"<!-- (\w+) -->\n.*?<!-- end -->", re.S)
 
 def blocks_of(page):
     """{marker: text}"""
-    return {marker: write(*(read(HERE / f"results/{name}.json") for name in names))
+    return {marker: with_caption_below(write(*(read(HERE / f"results/{name}.json") for name in names)))
             for of_page, marker, names, write in TABLES if of_page == page}
 
 

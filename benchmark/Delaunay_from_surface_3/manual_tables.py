@@ -6,6 +6,7 @@
 
 import json
 import math
+import re
 from pathlib import Path
 
 
@@ -17,6 +18,18 @@ def table(titles, rows, left=1):
     """The first columns are aligned to the left, the others, numbers, to the right."""
     lines = ["| " + " | ".join(titles) + " |", "|" + "---|" * left + "--:|" * (len(titles) - left)]
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
+
+
+def marked(rows, *columns):
+    """The rows, in which the largest figure of these columns is bold, and the smallest italic."""
+    marked_rows = [list(row) for row in rows]
+    for column in columns:
+        values = {i: float(row[column]) for i, row in enumerate(rows) if re.fullmatch(r"[\d.]+", row[column])}
+        for i, value in values.items():
+            if min(values.values()) < max(values.values()):
+                mark = "**" if value == max(values.values()) else "*" if value == min(values.values()) else ""
+                marked_rows[i][column] = f"{mark}{rows[i][column]}{mark}"
+    return marked_rows
 
 
 def thousands(number):
@@ -48,7 +61,13 @@ def cpu_of(report):
 def measured(*reports):
     """On which of the two machines, under which load, and where the figures are."""
     texts = [f'{cpu_of(r).split()[1]}, load {range_of(loads_of(r), "{:.1f}")}, `{r["name"]}`' for r in reports]
-    return "; ".join(texts) + "."
+    return f'<small>{"; ".join(texts)}.</small>'
+
+
+def with_caption_below(text):
+    """The text of a table, in which what measured() has said comes last."""
+    found = re.fullmatch(r"([^|]*?)\s*(<small>.*?</small>)\s*(\|.*)", text, re.S)
+    return "\n\n".join(filter(None, (found[1], found[3], found[2]))) if found else text
 
 
 def read(file_name):

@@ -9,7 +9,7 @@ tiles keep."""
 
 import math
 
-from manual_tables import cpu_of, geometric_mean, measured, range_of, table, thousands
+from manual_tables import cpu_of, geometric_mean, marked, measured, range_of, table, thousands
 
 
 def surface_of(result):
@@ -36,29 +36,29 @@ def means(columns):
 
 def one_thread(report):
     columns = {"faces": "default", "points alone": "points", "arrays": "arrays"}
-    rows = [[surface_of(r), two(r["calls"]["plain"]["median_wall"]), *(two(gain(r, name)) for name in columns.values())]
+    def seconds(result, name):
+        return f'{two(result["calls"][name]["median_user"])} + {two(result["calls"][name]["median_system"])}'
+
+    rows = [[surface_of(r), seconds(r, "plain"), seconds(r, "default"), *(two(gain(r, name)) for name in columns.values())]
             for r in report["results"]]
     found = means({title: [gain(r, name) for r in report["results"]] for title, name in columns.items()})
-    return "\n\n".join([measured(report), table(["surface", "plain %CGAL, s", *columns], rows),
+    return "\n\n".join([measured(report), table(["surface", "plain %CGAL, s", "faces, s", *columns], marked(rows, 3, 4, 5)),
                         f"Geometric means: {found}."])
 
 
 def two_threads(calls, threads):
-    """Parallel_tag of CGAL was measured beside this package only in the run of `threads`."""
-    of_threads = {r["surface"]: r["times"] for r in threads["results"]}
-    columns = {"plain %CGAL": [], "`Parallel_tag`": [], "this package": []}
-    rows = []
-    for result in calls["results"]:
-        walls = {name: call["median_wall"] for name, call in result["calls"].items()}
-        times = of_threads.get(surface_of(result))
-        parallel = times and times["plain_parallel"]["median_wall"] / times["threads_2"]["median_wall"]
-        values = [walls["plain"] / walls["default:2"], parallel, walls["default"] / walls["default:2"]]
-        for column, value in zip(columns.values(), values):
-            column.append(value)
-        rows.append([surface_of(result), *map(two, values)])
-    titles = ["surface", "plain %CGAL, one thread", "plain %CGAL with `Parallel_tag`, two (Xeon)", "this package, one"]
-    return "\n\n".join([f"{measured(calls)[:-1]}; second column: {measured(threads)}", table(titles, rows),
-                        f"Geometric means: {means(columns)}."])
+    """Parallel_tag of CGAL was measured beside this package only in the run of `threads`, on another machine."""
+    columns = {"plain %CGAL, one / this package, two": ("plain", "default:2"), "this package, one / two": ("default", "default:2"),
+               "arrays, one / two": ("arrays", "arrays:2")}
+    gains_of = {title: [r["calls"][a]["median_wall"] / r["calls"][b]["median_wall"] for r in calls["results"]]
+                for title, (a, b) in columns.items()}
+    rows = [[surface_of(r), *map(two, values)] for r, *values in zip(calls["results"], *gains_of.values())]
+    parallel = [r["times"]["plain_parallel"]["median_wall"] / r["times"]["threads_2"]["median_wall"] for r in threads["results"]
+                if "plain_parallel" in r["times"]]
+    return "\n\n".join([
+        measured(calls), table(["surface", *columns], marked(rows, 1, 2, 3)), f"Geometric means: {means(gains_of)}.",
+        f"%CGAL with `Parallel_tag` and two threads takes {range_of(parallel, '{:.2f}')} times as long as this package with two, on "
+        f"{len(parallel)} surfaces in the geometric mean {two(geometric_mean(parallel))} times. {measured(threads)}"])
 
 
 def more_threads(report):
@@ -82,7 +82,7 @@ def sixteen_cores(report):
     for peer in peers_of(result):
         of_peers.setdefault(library_of(peer), {})[peer["threads"]] = peer["median_wall"]
     rows += [[name, of[1], of[16]] for name, of in of_peers.items()]
-    return (f'{measured(report)} Seconds for {result["points"]} points of the {result["surface"]}:\n\n' +
+    return (f'Seconds for {thousands(result["points"])} points of the {result["surface"]}. {measured(report)}\n\n' +
             table(["program", "1 thread", "16 threads", "gain"],
                   [[name, two(one), two(many), two(one / many)] for name, one, many in rows]))
 
@@ -187,12 +187,12 @@ def collections(orders, orders_200k, demo):
     rows = []
     hard_ones = [r["median_ratio"] for report in (orders, orders_200k) for r in report["results"] if not is_cad(r)]
     for name, ratios in (
-            ("meshes of CGAL's demos, 3,000 vertices and more",
+            ("meshes of %CGAL's demos, 3,000 vertices and more",
              [m["ratio"] for m in demo["meshes"] if m.get("ratio") and m["vertices"] >= SMALL_SIZES[-1]]),
             ("CAD solids, 200,000 points", [r["median_ratio"] for r in orders_200k["results"] if is_cad(r)]),
             ("other surfaces, chosen to be hard, 3,000 to 200,000 points", hard_ones)):
         rows.append([name, str(len(ratios)), two(geometric_mean(ratios)), two(min(ratios)), two(max(ratios))])
-    return table(["", "how many", "geometric mean", "least", "most"], rows)
+    return table(["", "how many", "geometric mean", "least", "most"], rows) + "\n\n" + measured(orders, orders_200k)
 
 
 def is_cad(row):
@@ -233,7 +233,7 @@ def hard(orders, orders_200k, walks, flat):
                             ("in one plane, 100,000", ("coplanar",))):
         lines.append(line(title, [r for r in large if r["family"] in families]))
     return f"{measured(orders, orders_200k, walks, flat)}\n\n" + table(
-        ["surfaces, points", "the hardest", "how many", "geometric mean", "least"], lines, 2)
+        ["surfaces, points", "the hardest", "how many", "geometric mean", "least"], marked(lines, 3, 4), 2)
 
 
 def boxes(walks):
@@ -241,7 +241,7 @@ def boxes(walks):
     found = {r["kind"]: r["median_ratio"] for r in walks["results"] if r["family"] == "points alone"}
     rows = [[f"1/{a}", two(found[f"box 1 : 1/{a} : 1/{a}"]), two(found[f"slab 1 : 1 : 1/{a}"])]
             for a in (100, 1000, 10000)]
-    return f"{measured(walks)}\n\n" + table(["a", "box 1 : a : a", "slab 1 : 1 : a"], rows)
+    return f"{measured(walks)}\n\n" + table(["a", "box 1 : a : a", "slab 1 : 1 : a"], marked(rows, 1, 2))
 
 
 def weights(report):
@@ -263,7 +263,7 @@ def weights(report):
              *(two(ratio(row)) for ratio in ratios.values())] for row in sizes[-1]]
     found = [f"For {thousands(max(row['points'] for row in size))} points geometric means are " +
              means({name: [ratio(row) for row in size] for name, ratio in ratios.items()}) for size in sizes]
-    return "\n\n".join([measured(report), table(["points", "hidden", "plain %CGAL, s", *ratios], rows),
+    return "\n\n".join([measured(report), table(["points", "hidden", "plain %CGAL, s", *ratios], marked(rows, 3, 4)),
                         f"{'. '.join(found)}.", other_tetrahedra(results)])
 
 
@@ -279,7 +279,7 @@ def periodic(report):
              two(row["gain_of_two_threads"]), two(row["copies_per_point"]), two(row["peak_to_that_in_space"])]
             for row in report["results"] if "median_ratio" in row or row["set"] not in beside_plain and row is last[row["set"]]]
     return f"{measured(report)}\n\n" + table(
-        ["points", "arrays, s", "plain %CGAL", "Geogram", "2 threads", "copies per point", "memory"], rows)
+        ["points", "arrays, s", "plain %CGAL", "Geogram", "2 threads", "copies per point", "memory"], marked(rows, 2, 3))
 
 
 def other_tetrahedra(results):

@@ -6,7 +6,7 @@
 measure_python.py, measure_tiles_peers.py and measure_compile_time.py wrote; and which parts have an inside, by
 inside_of_parts.py."""
 
-from manual_tables import cell, measured, range_of, table, thousands
+from manual_tables import cell, marked, measured, range_of, table, thousands
 from speed_tables import two
 
 USES = {  # as measure_consumers calls them, and as the page does
@@ -27,7 +27,7 @@ def uses(report):
     found = {r["consumer"]: r for r in report["results"]}
     rows = [[title, two(found[name]["median_plain_cpu"]), f'{found[name]["median_ratio"]:.2f}']
             for name, title in USES.items() if name in found]
-    return "\n\n".join([measured(report), table(["use", "plain %CGAL, s", "gain"], rows)])
+    return "\n\n".join([measured(report), table(["use", "plain %CGAL, s", "gain"], marked(rows, 2))])
 
 
 def spanning_trees(report):

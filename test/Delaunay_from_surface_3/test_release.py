@@ -94,7 +94,8 @@ class Release(unittest.TestCase):
         self.assertTrue(changes.startswith(f"# Delaunay_from_surface_3 {self.version}\n\n"))
         if not PARTS:
             for pattern in (r"\.whl$", r"^delaunay[-_]from[-_]surface-.*\.tar\.gz$", r"-dev_.*\.deb$",
-                            r"^delaunay-from-surface_.*\.deb$", r"-manual\.zip$"):
+                            r"^delaunay-from-surface_.*\.deb$", r"-manual\.zip$",
+                            r"^delaunay-3-.*\.tgz$"):
                 self.assertTrue([name for name in names if re.search(pattern, name)], pattern)
 
     def test_what_is_refused(self):

@@ -50,6 +50,10 @@ class Sentences(unittest.TestCase):
         found = long_sentences()
         self.assertLessEqual(len(found), 2, "\n".join(f"{path}: {number} words: {text}" for number, path, text in found))
 
+    def test_readme(self):
+        """The rest is in the manual."""
+        self.assertLessEqual(len((ROOT / "README.md").read_text(encoding="utf-8").split()), 1700)
+
     def test_counter(self):
         text = "# Heading\n\nOne `a b c` two. [Three four](x y z) five:\n\n| a | b |\n\n    code\n\n- six\n- seven, eight.\n"
         self.assertEqual([len(s.split()) for s in sentences(text) if s], [3, 3, 1, 2])
