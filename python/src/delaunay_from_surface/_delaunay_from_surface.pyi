@@ -10,9 +10,11 @@ from ._types import Coordinates, Faces, InBox, Indices, Lists, Offsets, Places, 
 
 __version__: str
 
-class Stopped(RuntimeError): ...
+class Stopped(RuntimeError):
+    """Raised when progress returns False, by delaunay3() and delaunay3_tiles()."""
 
 class InsertionOrder:
+    """The order of insertion of the last call of delaunay3() that it was given to; of nothing at first."""
     def __init__(self) -> None: ...
     def __len__(self) -> int: ...
 
