@@ -42,6 +42,18 @@ window.MathJax = {AuthorInit: () => MathJax.Hub.Register.StartupHook("End", () =
 })};
 </script>
 """
+# Where a narrow window has what.
+MEASURE = """<script>
+addEventListener("load", () => {
+  const top = (selector) => document.querySelector(selector).getBoundingClientRect().top + scrollY;
+  const report = document.createElement("pre");
+  report.id = "report";
+  report.textContent = JSON.stringify({title: top("div.headertitle > div.title"), tree: top("#nav-tree"),
+    width: document.documentElement.scrollWidth, window: innerWidth});
+  document.body.append(report);
+});
+</script>
+"""
 
 PAGES_WITH_FORMULAS = ("index.html", "delaunay_from_surface_3_the_paper.html",
                        "classCGAL_1_1Delaunay__from__surface__3_1_1Log__star__rounds.html")
@@ -114,6 +126,17 @@ class Standalone(unittest.TestCase):
             self.assertEqual((report["with_a_drawing"], report["errors"]), (report["formulas"], 0), name)
             self.assertGreater(report["drawn"], report["formulas"], name)
             self.assertNotRegex(report["text"], r"\\f\$|\\\(|\\log|Math Processing Error", name)
+
+    @unittest.skipUnless("CHROMIUM" in os.environ, "Chromium was not found")
+    def test_on_a_phone(self):
+        """A page begins with its title, and nothing is wider than the window."""
+        page = self.page("delaunay_from_surface_3_how_fast.html").replace("<head>\n", "<head>\n" + ONLY_FILES + LISTEN, 1)
+        (self.html / "looked_at.html").write_text(page.replace("</body>", MEASURE + "</body>"), encoding="utf-8")
+        report = report_in(chromium(self.html, "--window-size=500,900", "--virtual-time-budget=20000", "--dump-dom",
+                                    f"file://{self.html}/looked_at.html"))
+        self.assertTrue(0 < report["title"] < 130, report)
+        self.assertGreater(report["tree"], report["title"])
+        self.assertLessEqual(report["width"], report["window"])
 
     @unittest.skipUnless(HAS_MATHJAX, "MathJax was not found")
     def test_mathjax_where_there_are_formulas(self):
