@@ -183,7 +183,7 @@ int main(int argc, char* argv[])
     ranks.together([&] {
       command = parse_with_help(argc, argv, true);
       if (command.threads > 1 && threads < MPI_THREAD_FUNNELED)
-        throw std::runtime_error("this MPI bears no threads: '--threads' needs 1");
+        throw std::runtime_error("this MPI does not support threads: use '--threads 1'");
     });
     if (ranks.sum(command.help ? 1 : 0) > 0) {
       std::cout << (rank == 0 ? help : "");

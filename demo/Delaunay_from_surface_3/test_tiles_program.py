@@ -223,7 +223,7 @@ class Tiles(ProgramCase):
             self.assertEqual((points.read_bytes(), other.read_bytes(), list(output.iterdir())), (*before, []))
         for option in (["--next"], ["--task", 0]):
             self.fails(points, "--output", output, "--join", self.folder / "all.npy", *option,
-                       says="'--join' is done by one process, when all tasks are")
+                       says="'--join' excludes '--next' and '--task'; give it when all tasks are done")
         self.works(points, other, "--tiles", 2, "--output", output, "--join", output / "all.npy", "--neighbors", "--quiet")
         self.assertEqual(read_npy(output / "all.npy")[0], read_npy(output / "all-neighbors.npy")[0])
 

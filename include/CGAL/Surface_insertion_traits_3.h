@@ -64,11 +64,11 @@ struct Surface_insertion_policies_3
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the default, which was the fastest in measurements. The points come in rounds of well-spaced
-points, and the location of each starts at a nearby point of an earlier round. The points are
-inserted into a compact triangulation, which is copied into the user's at the end. If that is not
-possible, CGAL's own insertion takes over. The surface is not looked at: rounds made of its edges
-destroy as many cells (`nets_200k.json`), and take as long (`nets_256k.json`).
+is the default, which was the fastest in measurements. The points come in rounds of well-spaced points,
+and the location of each starts at a nearby point of an earlier round. The points are inserted into a
+compact triangulation, which is copied into the user's at the end. If that is not possible, CGAL's own
+insertion takes over. The surface is not used, because rounds made from its edges destroy just as many
+cells (`nets_200k.json`) and take just as long (`nets_256k.json`).
 
 <b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 

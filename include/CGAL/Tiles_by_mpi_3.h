@@ -28,8 +28,8 @@ rank has some of the tiles in memory, and reads one part of the points
 (`Tile_source_3::first_of_part()`).
 
 All ranks call `delaunay_3_tiles()` with the same points and the same options, except
-`Tiles_options::progress`, which reports the rank's own part. This is checked, and also that
-each point is read by one rank; for the points only the number can be compared. The sink of a rank
+`Tiles_options::progress`, which reports the rank's own part. It is checked that they do, and that each
+point is read by exactly one rank; of the points only the number can be compared. The sink of a rank
 receives the rank's tiles.
 
 All ranks get the same report, or throw the same exception. If a rank or its sink throws, all ranks

@@ -16,11 +16,11 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1), with a walk instead of its
-location structure Q: random rounds that end at \f$N_h\f$, and a trace of a spanning subgraph T of
-bounded degree at the end of each round but the last. Its purpose is to study the paper: it takes
-1.1 to 1.5 times as long as plain %CGAL on 11 surfaces (\ref dfs_paper_control). For speed use the
-default, `Surface_insertion_traits_3`.
+is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1), with a walk instead of its location
+structure Q: random rounds that end at \f$N_h\f$, and a trace of a spanning subgraph T of bounded degree
+at the end of each round but the last. Its purpose is to study the paper: it takes 1.1 to 1.5 times as
+long as plain %CGAL on the surfaces measured (\ref dfs_paper_control). For speed use the default,
+`Surface_insertion_traits_3`.
 
 Each round is sorted along a Hilbert curve, so that successive points are near each other in memory.
 The sets of points inserted by the ends of the rounds stay random, and with them what the paper says

@@ -20,11 +20,10 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Inside
 
-is a function object that computes the generalised winding number of a surface at a point: how often
-the surface goes around the point (\cgalCite{jks-rioss-13}). It is an integer if the surface is
-closed. If the surface has gaps, it is nearly an integer away from these. The surface may have any
-number of parts, any number of faces at an edge, and may intersect itself, but its faces should be
-oriented consistently.
+is a function object that computes the generalised winding number of a surface at a point: how often the
+surface winds around the point (\cgalCite{jks-rioss-13}). It is an integer if the surface is closed. If
+the surface has gaps, it is nearly an integer away from these. The surface may have any number of parts,
+any number of faces at an edge, and may intersect itself, but its faces should be oriented consistently.
 
 Groups of triangles that are far from the point are approximated by an expansion to the third order
 (\cgalCite{bdslj-fwn-18}), so the numbers are correct up to about 0.01.

@@ -58,9 +58,9 @@ EdgeOutputIterator bounded_degree_spanning_subgraph(
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes the edges of a spanning tree of bounded degree of every component of a triangulated surface.
-It is the subgraph of `bounded_degree_spanning_subgraph()` after removal of the edges that close
-cycles, preferably at vertices of large degree (\ref bds_tree).
+writes the edges of a spanning tree of bounded degree of every component of a triangulated surface. It
+is the subgraph of `bounded_degree_spanning_subgraph()` without the edges that close cycles; these are
+removed preferably at vertices of large degree (\ref bds_tree).
 
 The degree of every vertex is at most max(3, 6g + 2b) on a component of genus g with b boundary
 loops, where 2g stands for the non-orientable genus if the component is not orientable; on the

@@ -69,9 +69,9 @@ const auto spheres = CGAL::circumspheres_3(arrays, points); // or arrays, points
 const auto [x, y, z, squared_radius] = spheres[0];          // of tetrahedron 0
 \endcode
 
-However flat the tetrahedron, the centre is wrong by no more than 1e-12 of its distance from a
-corner, and what its coordinates are rounded; the squared radius, by 1e-12 of the square of this
-distance and of the weight. What is larger than any `double` is infinite.
+However flat the tetrahedron, the error of the centre is at most 1e-12 of its distance from a corner,
+plus the rounding of its coordinates. The error of the squared radius is at most 1e-12 of the square of
+this distance and of the weight. What is larger than any `double` is infinite.
 
 <b>Complexity</b>: \f$O(m)\f$ for m tetrahedra
 

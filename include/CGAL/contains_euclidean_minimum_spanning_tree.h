@@ -93,9 +93,9 @@ returns whether the edges of a surface contain a Euclidean minimum spanning tree
 they do, and no two vertices have the same point, `Delaunay_from_surface_3::Minimum_spanning_forest`
 finds one without the triangulation (\cgalCite{choi-dtsm-02}, §3.1).
 
-The function exactly compares the edge lengths of two trees: those of the minimum spanning forest of
-the surface, and those of `euclidean_minimum_spanning_tree_3()`. Vertices at the same point count as
-one here; in the forest they do not.
+The function compares the edge lengths of two trees exactly: those of the minimum spanning forest of the
+surface, and those of `euclidean_minimum_spanning_tree_3()`. Vertices at the same point count as one
+here; in the forest they do not.
 
 <b>Complexity</b>: \f$O(m \log m)\f$ for m edges of the surface and the triangulation.
 

@@ -119,8 +119,8 @@ last)`. No %CGAL triangulation is built, even if the points lie in a plane or on
 
 <b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 
-<b>Memory</b>: at the peak and beyond `points` about 270 bytes per point, including the arrays, if
-there are 6.8 cells per point, as for random points in space.
+<b>Memory</b>: about 270 bytes per point at the peak, including the arrays but not `points`, if there
+are 6.8 cells per point, as for random points in space.
 
 \tparam Index `std::int32_t`: up to \f$2^{30}\f$ cells, or 150 million points
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. With
@@ -162,7 +162,7 @@ below; any other does not compile
 \throws Surface_input_error if a coordinate is not a finite number
 \throws std::length_error if there are more than \f$2^{30}\f$ cells
 \throws std::runtime_error if the core is compiled with `-ffast-math`, `-Ofast` or parts of them, or
-denormal numbers become zero in a mode that cannot be left
+if denormal numbers are flushed to zero in a mode that cannot be switched off
 
 Example: \ref Delaunay_from_surface_3/arrays_and_inside.cpp
 
@@ -224,10 +224,10 @@ for (int step = 0; step < 20; ++step) {
 \endcode
 
 \param points the points
-\param order the order of the last call, and after this call the order that it used. If it has
-another number of points (as an empty one has), or has become too costly, a new order is made and
-stored; it is empty if an exception is thrown meanwhile, or if the points lie on a line. It changes
-only the numbers of the cells and the time. It takes 16 bytes per point.
+\param order the order of the last call, and after this call the order that it used. If it has another
+number of points (as an empty one has), or has become too costly, a new order is made and stored; it is
+empty if an exception is thrown meanwhile, or if the points lie on a line. The order affects only the
+numbering of the cells and the running time. It takes 16 bytes per point.
 \param np as above
 
 \throws Surface_input_error also if `order` is not a valid order

@@ -55,7 +55,7 @@ tile.
 
 \throws Surface_input_error if a coordinate is not finite, or all points lie in one plane
 \throws Tile_files_error if a file cannot be read or written, the folder contains the state of another
-input or number of tiles, or files of others in `state`, or another run is at work there
+input or number of tiles, or foreign files in `state`, or another run is at work there
 \throws std::runtime_error if a tile needs more memory than it may have, and beginning again with
 more tiles does not help; the message names a point
 \throws Tiles_stopped if `options.progress` returned `false`

@@ -28,8 +28,8 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 \ingroup PkgDelaunayFromSurface3Arrays
 
 writes the edges of a Euclidean minimum spanning tree of the vertices of arrays: a spanning tree whose
-edges have the smallest sum of lengths (\cgalCite{choi-dtsm-02}, §3.1). Points that are equal to one
-with a smaller index are no vertices, and in no edge.
+edges have the smallest sum of lengths (\cgalCite{choi-dtsm-02}, §3.1). A point that equals one with a
+smaller index is not a vertex, and has no edges.
 
 \code{.cpp}
 std::vector<std::array<std::int32_t, 2>> tree;

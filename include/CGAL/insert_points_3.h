@@ -87,7 +87,7 @@ below; any other does not compile
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
     \cgalParamDescription{receives for every point inserted a pair of its index and its vertex
-      handle in `tr`, in ascending order of the indices. Otherwise as in
+      handle in `tr`, in ascending order of the indices. In all other respects it is as in
       `insert_surface_vertices_3()`.}
     \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`, or
       a callable that takes such a pair, or an index and a handle}

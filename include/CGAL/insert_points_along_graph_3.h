@@ -58,10 +58,10 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Graph
 
-inserts points that are the vertices of any graph: the edges of a soup, curves, nearest neighbours.
-By default the edges are not looked at; other traits trace them, or make the order from them.
-The result, and the state after a stop or an exception, are those of `insert_surface_vertices_3()`.
-As there is no surface, the visitor never hears that it is irregular.
+inserts points that are the vertices of any graph: the edges of a soup, curves, nearest neighbours. By
+default the edges are not looked at; other traits trace them, or make the order from them. The result,
+and the state after a stop or an exception, are those of `insert_surface_vertices_3()`. As there is no
+surface, the visitor is never told of irregularities.
 
 <b>Complexity</b>: \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 
@@ -74,7 +74,7 @@ and multiple edges are allowed
 
 \param tr the triangulation into which the points are inserted
 \param points the points
-\param graph the graph, whose vertex with index i represents the i-th point. No graph changes
+\param graph the graph, whose vertex with index i represents the i-th point. The graph does not affect
 the result.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
 `insert_points_3()` with faces, and the one below

@@ -63,7 +63,7 @@ plus the insertions.
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{maps the vertices of `mesh` to indices, different ones to different
+    \cgalParamDescription{maps the vertices of `mesh` to indices, distinct vertices to distinct
       indices}
     \cgalParamType{a model of `ReadablePropertyMap` from
       `boost::graph_traits<FaceGraph>::%vertex_descriptor` to an integer type. Indices must not be

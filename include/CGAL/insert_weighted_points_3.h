@@ -160,11 +160,11 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Points
 
-inserts points with weights into a regular triangulation. The result equals that of
-`rt.insert(first, last)`: it has the same cells and vertices, and hides the same set of points, each
-in a cell that contains it. Two things are not determined by the points, here and there: which of
-two cells a hidden point on their common facet is kept in, and how often equal hidden points are
-kept. If the cell base does not keep hidden points, they are discarded.
+inserts points with weights into a regular triangulation. The result equals that of `rt.insert(first,
+last)`: it has the same cells and vertices, and hides the same set of points, each in a cell that
+contains it. With either function, two things are not determined by the points: which of two cells a
+hidden point on their common facet is kept in, and how often equal hidden points are kept. If the cell
+base does not keep hidden points, they are discarded.
 
 `insert_surface_vertices_3()` describes the state of `rt` after refused input, a stop or an
 exception: if it was empty, it is unchanged.
@@ -190,10 +190,10 @@ kernel. It inserts with one thread.
 \param rt the triangulation into which the points are inserted
 \param weighted_points the points
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those for a
-`Delaunay_triangulation_3`. Points that `point_map` returns have weights, too; `preserve_order`
-counts the distinct points that are not hidden; and `vertex_to_vertex_output_iterator` receives
-every point: a hidden one with the handle `Vertex_handle()`, and so, after a stop, one that was not
-inserted into an `rt` that was not empty.
+`Delaunay_triangulation_3`. Points that `point_map` returns have weights, too; `preserve_order` counts
+the distinct points that are not hidden; and `vertex_to_vertex_output_iterator` receives every point.
+The handle is `Vertex_handle()` if the point is hidden, or if it was not inserted because of a stop and
+`rt` was not empty.
 
 \return the number of vertices that `rt` has gained, which is negative if the points hide more
 vertices than they become; 0 after a stop if it was empty

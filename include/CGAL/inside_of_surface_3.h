@@ -32,11 +32,12 @@ finds the tetrahedra of a triangulation that lie inside a surface on its points,
 numbers of their centres (see `Winding_number_3`). The surface need not be closed: it may have gaps,
 faces that are turned or given twice, and overlapping parts, inside which the number is larger.
 
-Faces are joined across edges with exactly two faces; equal points are one. Where the faces joined do
-not agree, those with the smaller area are turned round; if both have the same area, so that the volume
-is positive. Faces that agree stay as they are: if they look inwards, they are the wall of a cavity.
+Faces are joined across edges with exactly two faces; equal points are one. Where joined faces disagree
+in orientation, those with the smaller total area are reversed; if both have the same area, they are
+oriented so that the volume is positive. Faces that agree stay as they are: if they look inwards, they
+are the wall of a cavity.
 
-Where a face is no facet of the triangulation, tetrahedra cross the surface: `Inside_3` says how much
+Where a face is not a facet of the triangulation, tetrahedra cross the surface: `Inside_3` says how much
 volume these have.
 
 Call a tetrahedron *surely inside* if its winding number differs by at most 0.1 from an integer

@@ -72,7 +72,7 @@ bool is_valid_delaunay_3_arrays(const Delaunay_3_arrays<Index>& arrays, const Po
 
 /// \ingroup PkgDelaunayFromSurface3Arrays
 /// does the same for the regular triangulation of points with weights: any range that
-/// `regular_3_arrays()` takes. The last level checks also that hidden points, and no others, have
+/// `regular_3_arrays()` takes. The last level also checks that hidden points, and no others, have
 /// the vertex `none`, by a walk for each of them.
 template <class Index, class PointRange, class WeightRange>
 bool is_valid_delaunay_3_arrays(const Delaunay_3_arrays<Index>& arrays, const PointRange& points,

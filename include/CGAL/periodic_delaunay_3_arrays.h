@@ -57,14 +57,15 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 \ingroup PkgDelaunayFromSurface3Arrays
 
 returns the Delaunay triangulation of points in a periodic box as arrays of numbers. Its tetrahedra are
-those of a `Periodic_3_Delaunay_triangulation_3<Gt>` with exact predicates, in one sheet; but any edges
-of the box will do, some axes may have no period, as in slabs and wires, and any number of points.
+those of a `Periodic_3_Delaunay_triangulation_3<Gt>` with exact predicates, in one sheet. But the box
+may have edges of any lengths, some axes may have no period, as in slabs and wires, and there may be any
+number of points.
 
 Points may lie anywhere; the offsets of the corners are from the points as they were given. The
-positions x + k L of the copies are never rounded. The triangulation is made of the points and as many
-copies around as are needed; each is certified by the circumscribed balls of the tetrahedra. It is
-unique: of cospherical points the perturbation is that of `Delaunay_triangulation_3`, which commutes
-with shifts.
+positions x + k L of the copies are never rounded. The triangulation is computed from the points and as
+many copies around as are needed; the circumscribed balls of the tetrahedra certify that these suffice.
+It is unique, as cospherical points are perturbed as in `Delaunay_triangulation_3`, which commutes with
+translations.
 
 <b>Complexity</b>: that of `delaunay_3_arrays()` for the points and their copies, whose number is of
 the order of n<sup>2/3</sup> for n random points.

@@ -92,13 +92,13 @@ triangulation, as arrays of numbers. Its cells are those of a
 `Regular_triangulation_3<Exact_predicates_inexact_constructions_kernel>` after `insert(first,
 last)`. No %CGAL triangulation is built, even if the points lie in a plane or on a line.
 
-A weight is the square of a ball's radius; only differences of weights matter, so they may be
-negative. A point can be <em>hidden</em>: the power cells of the others leave nothing to its own.
-Its vertex, `Delaunay_3_arrays::vertex_of_point()`, is then `Delaunay_3_arrays::none`. Of several
-points at one place, the heaviest counts; if these are several, they share the vertex of the one
-with the smallest index.
+A weight is the square of a ball's radius; only differences of weights matter, so they may be negative.
+A point is <em>hidden</em> if the power cells of the others leave nothing of its own. Its vertex,
+`Delaunay_3_arrays::vertex_of_point()`, is then `Delaunay_3_arrays::none`. Of several points at one
+place, the one with the largest weight counts; if there are several of these, they share the vertex of
+the one with the smallest index.
 
-<b>Complexity</b>: as of `delaunay_3_arrays()`
+<b>Complexity</b>: as for `delaunay_3_arrays()`
 
 <b>Memory</b>: 8 bytes per point more than `delaunay_3_arrays()`
 

@@ -10,7 +10,7 @@
     4
 
 The result is exact, and the same as that of CGAL's Delaunay_triangulation_3. Faces of a surface on the
-points make it faster; they never change the result.
+points tell what is inside it; they never change the triangulation.
 """
 
 from __future__ import annotations
@@ -109,39 +109,39 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
     box
         The period along each of the three axes, None or infinite along one that has none: `box=(1, 1, None)` is a slab.
         The result is then a `Periodic3` or, with weights, a `PeriodicRegular3`: the triangulation of all copies of the
-        points, which may lie anywhere. It is exact, and copies are never rounded. It has no faces, `inside` and `order`;
+        points, which may lie anywhere. It is exact, and copies are never rounded. It has no faces, no `inside` and no `order`;
         neighbours are always kept.
     neighbors
         Whether the neighbours are kept: they and the simplices are then views of one array, 16 bytes apart.
-        Else they are found anew when they are first asked for.
+        Otherwise they are found when they are first asked for.
     inside
         Whether `winding_numbers` and `inside` of the result say which tetrahedra lie inside the faces, and
         `inside_figures` how sure that is. The surface may have gaps, and parts that overlap; faces that disagree with
         those around them are turned. If much of the volume may be wrong, a `UserWarning` says so.
     seed
-        Seeds the random order of insertion, which takes over where the usual one turns out to be bad; that has no
-        random numbers. At most the order of the simplices depends on it.
+        Seed of the random order of insertion, which takes over if the usual order, which is not random, turns out to
+        be bad. Only the order of the simplices can depend on it.
     progress
         Is called about every 50 ms with the share of the points that are inserted, and at last with 1. If it
-        returns False, the work stops and `Stopped` is raised; what it raises is passed on. It is called, and
-        Ctrl-C is seen, once the order of the points is made. The interpreter lock is released in between. True shows a
+        returns False, the work stops and `Stopped` is raised; what it raises is passed on. The calls, and the response to
+        Ctrl-C, begin once the order of the points is made. The interpreter lock is released in between. True shows a
         bar of tqdm on stderr, or a line of text where there is no tqdm.
     threads
-        How many threads work, at most 64; None: as many as there are processors. With more than one the simplices
-        are the same in another order at every call. Few points take longer with two than with one: the README has
+        How many threads work, at most 64; None: as many as there are processors. With more than one the simplices are the
+        same, but their order may differ from call to call. Few points take longer with two than with one: the README has
         the figures.
     order
         The order of insertion of the last call, for points that move a little from call to call: make an
-        `InsertionOrder()` and give it to all. A new one is made and kept if it is one of another number of points, or
-        too costly by now. The simplices are the same, in another order. 16 bytes per point.
+        `InsertionOrder()` and pass it to all of them. It is filled anew if the number of points has changed, or if it
+        has become too costly. The simplices are the same, in another order. 16 bytes per point.
 
     Raises
     ------
     ValueError
         If an array is masked or has the wrong shape, a coordinate or weight is not a finite number, or an index, the
         seed or the number of threads is out of range. If `inside` is asked of a surface that has none: less volume is
-        surely inside, with a number near a whole one other than 0, than in doubt, and its openings have more than 3/10
-        of its area, or there are several wide ones. So it is with patches, sheets and short tubes. It has none, either,
+        surely inside (its winding number is near an integer other than 0) than in doubt, and its openings have more
+        than 3/10 of its area, or several are wide. Examples are patches, sheets and short tubes. Nor does it have one
         if a part of it is not orientable, or its faces cancel each other. If a period is not positive, is less than 1/10000
         of the box's diagonal, or so small that points are 2**29 of them away or corners of a tetrahedron more than 32767
         of them apart, or if there are points, but all in a plane or on a line parallel to the axes that have periods.
@@ -150,7 +150,7 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
     OverflowError
         If there are more than 2**30 cells: beyond 150 million points.
     MemoryError
-        If memory ends.
+        If there is not enough memory.
 
     Memory: about 270 bytes per point at the peak, the result included, where points have 6.8 cells each; more with `inside`,
     and 24 bytes per point more with `weights`.
@@ -164,7 +164,7 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
     if inside:
         faces = _core.read_alike(faces, "faces")
         if weights is not None:
-            raise ValueError("inside: the points have weights: those of the faces may be hidden")
+            raise ValueError("inside: not available for points with weights, which may hide vertices of the faces")
         if faces is None:
             raise ValueError("inside: there are no faces")
         if not isinstance(faces, np.ndarray):
@@ -232,7 +232,7 @@ def subgraph(faces: Faces, number_of_vertices: Optional[SupportsIndex] = None, *
     tree
         Whether cycles are left out: a spanning tree of each component.
 
-    Raises ValueError, naming a face or a vertex, if the faces are no such surface. Linear time.
+    Raises ValueError, naming a face or a vertex, if the faces are not such a surface. Linear time.
     The degree of every vertex is at most 3 on spheres and discs, and at most 8 g + 2 b + 1 on an orientable
     component of genus g with b boundary loops (Choi, SoCG 2002).
     """
@@ -242,7 +242,7 @@ def subgraph(faces: Faces, number_of_vertices: Optional[SupportsIndex] = None, *
 def surface_topology(faces: Faces, number_of_vertices: Optional[SupportsIndex] = None) -> List[SurfaceComponent]:
     """Return the connected components of a triangulated surface, in the order of their smallest vertex.
 
-    `faces` and `number_of_vertices` are those of `subgraph`, and so is what is raised. Vertices in no face are left out.
+    `faces` and `number_of_vertices` are as in `subgraph`, and so are the exceptions. Vertices in no face are left out.
     Linear time.
     """
     components = _core.surface_topology(faces, _number_or_none(number_of_vertices))

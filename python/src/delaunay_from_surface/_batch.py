@@ -46,8 +46,8 @@ def delaunay3_batch(points: Iterable[Points], weights: Optional[Iterable[Optiona
     Raises
     ------
     ValueError, TypeError, OverflowError, MemoryError
-        As `delaunay3`, with the number of the set: of several the first. What is of no such type is raised as it is.
-        And ValueError if there are not as many weights as sets.
+        As `delaunay3`, with the number of the first set that failed. Other exceptions are passed on unchanged.
+        Also ValueError if there are not as many weights as sets.
     """
     number = number_of_threads("threads", threads, most=None)
     sets = _sets_of("points", points, 3)

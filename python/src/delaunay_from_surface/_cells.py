@@ -137,8 +137,8 @@ class Cells:
     @property
     def facet_corners(self) -> Indices:
         """(k,) int32: how many corners the facets of the Voronoi diagram have, or with weights those of the power
-        diagram; -1 where they are unbounded. 0 if there are less than three, and the area is 0, too: so it is in
-        lattices, where tetrahedra around an edge have the same sphere. That is decided by exact arithmetic."""
+        diagram; -1 where they are unbounded. 0 if there are fewer than three; the area is then 0, too. This happens
+        in lattices, where tetrahedra around an edge have the same sphere, and is decided by exact arithmetic."""
         self._needs_space("facet_corners")
         return self._diagram[4]
 

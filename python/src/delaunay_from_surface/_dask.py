@@ -26,7 +26,7 @@ from ._types import Places
 class DaskTiles:
     """A Delaunay triangulation in a folder that the workers see, as `delaunay3_dask` returns it.
 
-    It is as long as there are tiles. What it gives is read by the workers, when it is computed.
+    Its length is the number of tiles. Its items are read by the workers, when they are computed.
     """
 
     def __init__(self, folder: str, report: Dict[str, Any], numbers_of_cells: List[int]) -> None:
@@ -59,7 +59,7 @@ def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int
     """Write the Delaunay triangulation of more points than one machine holds, tile by tile, by a Dask cluster.
 
     The union of the tiles is what `delaunay3` would return for all points, and a certificate is checked before this
-    returns. Workers may die, or be stopped, at any time; what was stopped goes on when it is called again.
+    returns. Workers may die, or be stopped, at any time; a run that was stopped resumes when called again.
 
     Parameters
     ----------
@@ -73,11 +73,11 @@ def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int
         The folder for the tiles, and for the state of the work, which all workers see by this name: on one machine any
         folder, on a cluster one of a file system that is shared.
     memory
-        What one tile may have: bytes, or a text such as "8G"; the memory of a worker over the number of its threads. It
-        decides how many tiles there are, at about 300 bytes for a point that a tile keeps; a tile keeps up to five times
-        its own points.
+        How much memory one tile may take: bytes, or a text such as "8G". Give the memory of a worker divided by the number of
+        its threads. It decides how many tiles there are, at about 300 bytes for a point that a tile keeps; a tile keeps up to
+        five times its own points.
     tiles
-        How many tiles there are, if `memory` shall not decide.
+        How many tiles there are; by default `memory` decides.
     vtu
         Whether to write .vtu files for ParaView, too, with tiles.pvtu over them.
 
@@ -95,7 +95,7 @@ def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int
     ValueError
         If a coordinate is not a finite number, all points lie in one plane, or an argument is out of range.
     TypeError
-        If the client is none, or points are neither files nor a `dask.array`.
+        If `client` is not a `distributed.Client`, or points are neither files nor a `dask.array`.
     MemoryError
         If a tile keeps more points than it may, and more tiles do not help or their number was given.
     distributed.KilledWorker
@@ -197,7 +197,7 @@ def _files_of(points: Any, client: Any, folder: str) -> List[str]:
         return [os.fsdecode(points)]
     if not hasattr(points, "to_delayed"):
         if isinstance(points, np.ndarray) or not isinstance(points, Iterable):
-            raise TypeError("points: files or a dask.array are needed; dask.array.from_array makes one of NumPy's")
+            raise TypeError("points: expected files or a dask.array; dask.array.from_array converts a NumPy array")
         return [os.fsdecode(name_of("points", file)) for file in points]
     return _write_array(points, client, Path(folder) / "points")
 

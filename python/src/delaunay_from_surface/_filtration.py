@@ -22,7 +22,7 @@ KINDS = ("alpha", "delaunay")
 class Filtration(NamedTuple):
     """The simplices of all dimensions, and the values at which they enter a growing complex.
 
-    No face has a larger value than what it bounds, so for any number those with at most this value form a complex.
+    No face has a larger value than what it bounds, so for any number the simplices with at most that value form a complex.
     """
 
     simplices: Tuple[Indices, ...]
@@ -43,7 +43,7 @@ class Filtration(NamedTuple):
     without a box."""
 
     def to_gudhi(self) -> Any:
-        """Return a gudhi.SimplexTree, for persistent homology: that of GUDHI's own alpha complexes, but for their last digits.
+        """Return a gudhi.SimplexTree, for persistent homology: the same as GUDHI's own, but for the last digits of the values.
 
         Raises ValueError if vertices alone do not determine each simplex, as in a periodic box with few points.
         """
@@ -83,7 +83,7 @@ def filtration(points: Any, *, weights: Any = None, box: Any = None, kind: str =
     threads
         How many threads work, as in `delaunay3`. The result is the same for any number.
 
-    Which ball is empty is decided exactly, and values are right up to one unit of their last digit. They are squares: those of
+    Which ball is empty is decided exactly, and values are accurate to one unit in their last digit. They are squares: those of
     lengths below 1e-162 are 0, and beyond 1e154 infinite. Points in a plane or on a line have simplices of fewer dimensions.
     Hidden points and those that equal others are in none.
 

@@ -93,7 +93,7 @@ class LinearInterpolator(_Interpolator):
 
     Tetrahedra are found exactly, and in flat ones weights are computed with as many digits as it takes. So the result
     is never NaN inside the hull or on it unless a value is; at a vertex it is the value, to the last digit; and linear
-    functions are reproduced. In the rest it differs from SciPy's as follows: where a query is not a finite number the
+    functions are reproduced. Otherwise it differs from SciPy's as follows: where a query is not a finite number the
     result is NaN, not the fill value; and there is no `rescale`: if the axes have different units, scale points and
     queries.
 
@@ -102,7 +102,7 @@ class LinearInterpolator(_Interpolator):
     points
         A triangulation, or points (n, 3) as `delaunay3` takes them, which are triangulated. In a periodic box all
         copies of a point have its value, and queries may be anywhere less than 2**29 periods away. If points have
-        weights, those that are hidden have no say.
+        weights, hidden points do not count.
     values
         The value of each point: (n, …) real or complex numbers, converted to float64 or complex128. Of equal points the
         first one counts, which `triangulation.vertices` names. Values need not be finite: one that is not matters
@@ -111,9 +111,9 @@ class LinearInterpolator(_Interpolator):
         The value outside the hull.
     outside
         "fill", or "nearest": outside the hull queries get the value of the nearest vertex, exactly; of several that
-        with the smallest index. It is looked for from the one before, by steps to nearer neighbours: a query that is
-        nearest to a vertex with very many takes as long as these are. That is not there for periodic boxes and points
-        with weights.
+        with the smallest index. The search goes from the last one found to nearer and nearer neighbours, so a query nearest to
+        a vertex with very many neighbours takes correspondingly long. Not available for periodic boxes and points with
+        weights.
     threads
         How many threads work, at most 64; None: as many as there are processors. The results are the same.
 
@@ -132,8 +132,8 @@ class LinearInterpolator(_Interpolator):
         tetrahedra.
 
         The result has the shape (…), that of one value, and 3. Outside the hull it is NaN. On a facet it is the
-        gradient in the tetrahedron with the smaller number. Differences of values are rounded: a gradient is as wrong
-        as that makes it, which may be much in a flat tetrahedron. Differences and gradients of weights beyond the range
+        gradient in the tetrahedron with the smaller number. Differences of values are rounded; the error carries over to the
+        gradient, and may be large in a flat tetrahedron. Differences and gradients of weights beyond the range
         of float64 make it infinite or NaN.
         """
         queries, shape = _queries_of(xi)
@@ -186,7 +186,7 @@ class NaturalNeighborInterpolator(_Interpolator):
     If a query were a point, its Voronoi cell would have facets with those of some vertices, its natural neighbours. The
     weight of each is the area of the facet over the distance, divided by the sum of these. The interpolant reproduces
     linear functions, lies between the least and the greatest value of the neighbours, and does not depend on how ties
-    are broken; it is continuous, and smooth but at the points and on the spheres through the corners of tetrahedra,
+    are broken; it is continuous, and smooth except at the points and on the spheres through the corners of tetrahedra,
     where its gradient jumps. It is what finite volumes see: the Laplacian over a Voronoi cell is 0.
 
     Which vertices are neighbours is decided exactly. Areas are computed with as many digits as it takes to know the

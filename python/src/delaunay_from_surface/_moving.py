@@ -25,9 +25,9 @@ Corners = Tuple[Indices, Optional[Any]]
 class Changes:
     """What a step has changed. Simplices and edges are compared when they are first asked for, in linear time.
 
-    A simplex is its set of corners, and an edge that of its ends: indices of points, of equal ones the smallest,
-    whatever their places. In a periodic box, the offsets between them count as well; so points there should not be
-    wrapped between steps.
+    A simplex is identified by the set of its corners, and an edge by its ends, wherever these have moved. Both are indices of
+    points; among equal points the smallest index counts. In a periodic box, the offsets between them count as well; so points
+    there should not be wrapped between steps.
     """
 
     before: Optional[Delaunay3]
@@ -97,8 +97,8 @@ class Moving:
     """Points that move a little from step to step, as in an optimisation: `update()` triangulates them anew.
 
     What helps the next step is kept: the order of insertion (see `InsertionOrder`; there is none in a periodic box),
-    the weights and the box. So is the last triangulation, and `changes` says in what it differs from the one before. So
-    there are three triangulations while a step is made: these two and the new one. Copies, and what is unpickled, find
+    the weights and the box. The last triangulation is kept, too, and `changes` says how it differs from the one before.
+    While a step is made, there are thus three triangulations: these two and the new one. Copies, and what is unpickled, find
     an order of their own.
 
     Parameters

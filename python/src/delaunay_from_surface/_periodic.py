@@ -122,7 +122,7 @@ class Periodic3(Delaunay3):
     of periods. Each tetrahedron here stands for all its copies.
 
     Corner k of tetrahedron c is `points[simplices[c, k]] + offsets[c, k] * box`, along the axes that have a period; `corners`
-    are these. What it has beside that of `Delaunay3` is the same, with these differences:
+    are these. Otherwise it has what `Delaunay3` has, with these differences:
 
     - Without a period along some axis there is a hull, as in slabs and wires; else all neighbours are there, all Voronoi cells
       are bounded, and the volumes of either add up to that of the box.
@@ -231,8 +231,8 @@ class Periodic3(Delaunay3):
 
     def find_copies(self, xi: Points, *, threads: Optional[SupportsIndex] = 1) -> SimplexCopies:
         """Return what `find_simplex` does, and by how many periods the copies that contain the points are moved: (…,) and
-        (…, 3) int32. Of several copies of a tetrahedron that which is moved least, in lexicographical order, is meant; outside
-        the offset is 0.
+        (…, 3) int32. If several copies of a tetrahedron contain a point, the one with the lexicographically smallest offset
+        counts. Outside the hull the offset is 0.
         """
         self._needs_space("find_simplex")
         queries, shape = self._rows_of(xi)
@@ -248,7 +248,7 @@ class Periodic3(Delaunay3):
         are NaN. In flat tetrahedra they are computed with as many digits as it takes.
 
         Raises ValueError if there are not as many simplices or offsets as points, or if `simplex` is given without `offset`, and
-        is not what is found; IndexError for a simplex that there is not; TypeError if simplices or offsets are no integers.
+        is not what is found; IndexError for a simplex that does not exist; TypeError if simplices or offsets are no integers.
         """
         self._needs_space("barycentric")
         queries, shape = self._rows_of(xi)

@@ -36,12 +36,12 @@ class WeightedAlphaComplex(NamedTuple):
 class Regular3(Delaunay3):
     """The regular triangulation of points with weights (weighted Delaunay triangulation), and their power diagram.
 
-    A weight is a squared radius: the power of a place to a point is its squared distance from the point less the weight,
-    and the point's power cell is where no other point has less power. Some points may have no cell: they are hidden, and
-    in no simplex. If all weights are equal it is the Delaunay triangulation. Negative weights are fine; adding a number
+    A weight is a squared radius: the power of a place with respect to a point is its squared distance from the point minus the
+    weight, and the point's power cell is where no other point has less power. Some points may have no cell: they are hidden,
+    and in no simplex. If all weights are equal it is the Delaunay triangulation. Negative weights are fine; adding a number
     to all of them changes neither simplices nor power cells, but squared radii by that number.
 
-    What `Delaunay3` has is here, too, but what is about empty spheres is refused, or has another name. `vertices` and
+    Everything in `Delaunay3` is here, too, but what concerns empty spheres is refused, or has another name. `vertices` and
     `vertex_to_simplex` have -1 for hidden points, which are not in `coplanar`, either; lighter points at the place of a
     heavier one are hidden. `check` also says whether the hidden points are rightly so. `alpha_complex` is the weighted
     one. There is no `inside`.

@@ -74,8 +74,8 @@ def _numbers_of(name: str, array: Indices) -> Indices:
 class Delaunay3(Cells):
     """A Delaunay triangulation in NumPy arrays. The names are those of scipy.spatial.Delaunay.
 
-    Points, simplices and vertices are there; the rest is computed when it is first asked for, and kept. Where it
-    differs from SciPy's:
+    Points, simplices and vertices are there; the rest is computed when it is first asked for, and kept. Differences
+    from SciPy's class:
 
     ===================  ===========================================  =============================================
     .                    scipy.spatial.Delaunay                       here
@@ -251,7 +251,7 @@ class Delaunay3(Cells):
         """(m, 4, 3) float64, as SciPy has it: transform[i, :3] @ (x - transform[i, 3]) are the first three
         barycentric coordinates of x in simplex i, up to 1e-9 for x in it. As in SciPy transform[i, :3] is NaN for flat
         simplices, where rounding x - transform[i, 3] alone could change them by more. `barycentric` is right in these,
-        too, and needs no 96 bytes for each simplex."""
+        too, and does not need 96 bytes for each simplex."""
         self._needs_space("transform")
         return _core.transform(self.points, self.simplices, self._threads)
 
@@ -260,11 +260,11 @@ class Delaunay3(Cells):
         """Return the barycentric coordinates of the points `xi`, of shape (…, 3), in their simplices: (…, 4) float64.
 
         `simplex` is what `find_simplex(xi)` returns, which is called if it is left out. Outside they are NaN. In flat
-        simplices they are computed with as many digits as it takes: at the data they are exact, in a simplex that
-        contains the point between 0 and 1 up to 1e-13.
+        simplices they are computed with as many digits as it takes: at the data points they are exact, and
+        in a simplex that contains the query they are between 0 and 1, up to 1e-13.
 
         Raises ValueError if there are not as many simplices as points, or the points of the triangulation lie in a
-        plane; IndexError for a simplex that there is not; TypeError if simplices are no integers.
+        plane; IndexError for a simplex that does not exist; TypeError if simplices are no integers.
         """
         self._needs_space("barycentric")
         given = self.find_simplex(xi, threads=threads) if simplex is None else _core.read_alike(simplex, "simplex")
@@ -322,7 +322,7 @@ class Delaunay3(Cells):
 
     def voronoi_cell(self, i: SupportsIndex) -> CellPolyhedron:
         """Return the Voronoi cell of point `i` as a polyhedron, to be drawn, for example. Corners where more than four cells
-        meet are one, and facets that are only an edge or a corner are left out, by exact arithmetic.
+        meet are merged, and facets that are only an edge or a corner are left out, by exact arithmetic.
 
         Raises ValueError if the cell is unbounded, or if all points lie in a plane, or if there is no such point.
         """

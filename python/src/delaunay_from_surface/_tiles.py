@@ -37,15 +37,15 @@ class Tile(NamedTuple):
 class Tiles:
     """A Delaunay triangulation in a folder, as `delaunay3_tiles` or the program writes it.
 
-    It is as long as there are tiles, and `tiles[k]` reads one. To go through it gives, tile by tile, the
-    arrays (points, cells) of a `Tile`: what streams through needs memory for one tile.
+    Its length is the number of tiles, and `tiles[k]` reads one. Iterating yields the arrays (points, cells) of
+    each `Tile` in turn, so a loop needs memory for only one tile.
     """
 
     def __init__(self, folder: Place) -> None:
         self.folder = Path(os.fsdecode(name_of("folder", folder)))
         report = self.folder / "tiles.json"
         if not report.is_file():
-            raise FileNotFoundError(f"{report}: there is none, so no run has ended there")
+            raise FileNotFoundError(f"{report}: does not exist, so no run has finished there")
         self.report: Dict[str, Any] = json.loads(report.read_text(encoding="utf-8"))
         """How many points, tiles and cells there are, how many points were told and kept, in how many rounds."""
 
@@ -113,7 +113,7 @@ def delaunay3_tiles(files: Union[Place, Iterable[Place]], output: Place, *, memo
                     workers: Optional[SupportsIndex] = 1) -> Tiles:
     """Write the Delaunay triangulation of more points than fit into memory, tile by tile.
 
-    What was stopped, by whatever, goes on when it is called again. The union of the tiles is what `delaunay3`
+    A run that was stopped, for whatever reason, resumes when called again. The union of the tiles is what `delaunay3`
     would return for all points, and a certificate is checked before this returns.
 
     Parameters
@@ -125,10 +125,10 @@ def delaunay3_tiles(files: Union[Place, Iterable[Place]], output: Place, *, memo
     output
         The folder for the tiles, and for the state of the work. It is made if need be.
     memory
-        What the tiles that are in memory at once may have: bytes, or a text such as "8G". It decides how many tiles
+        How much memory the tiles that are in memory at once may take: bytes, or a text such as "8G". It decides how many tiles
         there are, at about 300 bytes for a point that a tile keeps; a tile keeps up to five times its own points.
     tiles
-        How many tiles there are, if `memory` shall not decide.
+        How many tiles there are; by default `memory` decides.
     threads
         How many tiles are in memory at once, each worked on by one thread; None: as many as there are processors.
     vtu

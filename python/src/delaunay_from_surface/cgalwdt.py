@@ -41,8 +41,8 @@ class CGALWDTStruct:
     @staticmethod
     def forward(points: Any, weighted: bool = True, parallelize: bool = False, p_lock_grid_size: int = 50,
                 compute_cc: bool = False, *, dtype: Any = "int32") -> CGALWDTStruct:
-        """Return the triangulation of weighted points, as CGAL's `Regular_triangulation_3` has it, its decisions where
-        points are not in general position included.
+        """Return the triangulation of weighted points, as CGAL's `Regular_triangulation_3` has it, including its decisions
+        where points are not in general position.
 
         Parameters
         ----------

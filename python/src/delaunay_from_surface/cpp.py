@@ -8,7 +8,7 @@ Instead of `from tetranerf.utils.extension import cpp` write
 
     from delaunay_from_surface import cpp
 
-and leave `cells = cpp.triangulate(points)` as it is. PyTorch is not needed, and used if the points are its tensors.
+and leave `cells = cpp.triangulate(points)` as it is. PyTorch is not needed, but is used if the points are its tensors.
 """
 
 from __future__ import annotations

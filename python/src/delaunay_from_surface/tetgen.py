@@ -2,7 +2,7 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
-"""`TetGen` as PyVista's `tetgen` has it, as far as programs need it that tetrahedralise points alone: TetWeave
+"""`TetGen` as PyVista's `tetgen` has it, as far as needed by programs that tetrahedralise points alone: TetWeave
 (Binninger, Wiersma, Herholz, Sorkine-Hornung 2025) does so in every step of its optimisation.
 
 Instead of `import tetgen` write

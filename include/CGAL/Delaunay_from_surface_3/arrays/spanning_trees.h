@@ -153,7 +153,7 @@ std::vector<Measured_edge> edges_of_simplices(std::size_t number, std::size_t co
   constexpr std::uint32_t is_long = std::uint32_t(1) << 31;
   const std::size_t edges = corners * (corners - 1) / 2;
   if (n >= is_long || edges * number >= (std::numeric_limits<std::uint32_t>::max)())
-    throw std::length_error("edges are found of at most 700 million tetrahedra");
+    throw std::length_error("edges can be found for at most 700 million tetrahedra");
   // Calls visit(list, other end, whether it is the longest) for the edges of a part of the simplices.
   const std::size_t blocks = number_of_blocks(executor, number, many_items);
   const auto visit_edges = [&](std::size_t block, bool measures, const auto& visit) {

@@ -74,8 +74,8 @@ std::unique_ptr<Built> build_again(Insertion_order& kept, Source& points, Build_
 {
   if (kept.order.size() == points.points().size()) {
     if (!is_order(kept, kept.order.size()))
-      throw Surface_input_error("order: it is not a permutation of the points with ascending ends "
-                                "of rounds and starting places before their points");
+      throw Surface_input_error("order: not a permutation of the points, or its ends of rounds do "
+                                "not ascend, or a starting place is not before its point");
     observer.phase_begins(Surface_insertion_phase::PLAN, 0);
     const Order_view view = view_of(kept);
     options.given = &view;

@@ -315,8 +315,8 @@ inline Tiling tiling_of(const std::vector<Range_summary>& ranges, std::uint64_t 
   const Starting_simplex simplex =
       starting_simplex(bases.size(), [&](std::size_t i) { return bases[i].coordinates; });
   if (simplex.dimension < 3)
-    throw Surface_input_error("the points lie in one plane: tiles are for points in space, "
-                              "arrays for all points");
+    throw Surface_input_error("the points lie in one plane, which tiles do not support; "
+                              "remedy: use arrays");
   std::array<Tile_point, 4> start;
   for (unsigned k = 0; k < 4; ++k)
     start[k] = bases[simplex.points[k]];
