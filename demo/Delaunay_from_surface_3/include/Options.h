@@ -48,7 +48,8 @@ inline std::string output_format(const Options& options)
     if (format == "node" || format == "ele" || format == "neigh")
       format = "tetgen";
     if (options.output == "-")
-      throw std::runtime_error("'--output -' needs '--to', as there is no extension to tell the format");
+      throw std::runtime_error(
+          "'--output -' needs '--to', as there is no extension to tell the format");
   }
   if (std::find(formats.begin(), formats.end(), format) == formats.end())
     throw std::runtime_error(options.to.empty()

@@ -145,9 +145,11 @@ inline Tiles_command parse_tiles_command(int argc, char* argv[], bool by_mpi = f
   if (given.count("task") != 0)
     command.task = checked_number("task", task, 0);
   if (command.neighbors && (command.next || command.task))
-    throw std::runtime_error("'--neighbors' excludes '--next' and '--task'; give it when all tasks are done");
+    throw std::runtime_error(
+        "'--neighbors' excludes '--next' and '--task'; give it when all tasks are done");
   if (!command.join.empty() && (command.next || command.task))
-    throw std::runtime_error("'--join' excludes '--next' and '--task'; give it when all tasks are done");
+    throw std::runtime_error(
+        "'--join' excludes '--next' and '--task'; give it when all tasks are done");
   if (command.next && command.task)
     throw std::runtime_error("'--next' and '--task' exclude each other");
   return command;
