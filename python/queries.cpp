@@ -154,14 +154,14 @@ Numbers minimum_spanning_tree(const Points& points, const Numbers& simplices, st
     const std::size_t corners = rows.corners();
     if (corners > 4)
       throw CGAL::Surface_input_error("expected simplices of at most four corners");
-    std::vector<core::Measured_edge> edges;
+    std::vector<core::Measured_edge<std::uint32_t>> edges;
     if (corners > 1)
       edges = core::edges_of_simplices(
           rows.size(), corners, n,
           [&](std::size_t c, std::size_t k) { return vertices[corners * c + k]; }, lengths,
           executor);
     core::keep_minimum_spanning_forest(edges, n, lengths, executor);
-    for (const core::Measured_edge& e : edges)
+    for (const auto& e : edges)
       tree.insert(tree.end(), {Index(e.ends[0]), Index(e.ends[1])});
   }
   const auto number = py::ssize_t(tree.size() / 2);

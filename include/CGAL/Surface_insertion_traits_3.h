@@ -86,8 +86,7 @@ struct Surface_insertion_traits_3
 
 is the control: exactly the insertions of `Delaunay_triangulation_3::insert(first, last)`, in the
 same order and from the same starting cells. The surface is not used. With `Fast_location` this
-holds for the lowest level. With `Parallel_tag` that function inserts with many threads, this class
-with one.
+holds for the lowest level. With `Parallel_tag` that function uses many threads, this class one.
 
 <b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 

@@ -57,8 +57,7 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Arrays
 
-returns the sphere through the corners of each tetrahedron. Its centre is a vertex of the Voronoi
-diagram.
+returns the sphere through the corners of each tetrahedron, whose centre is a Voronoi vertex.
 
 With weights it is the sphere orthogonal to those around the corners whose squared radii are the
 weights. Its centre is a vertex of the power diagram (\cgalCite{a-pdpaa-87}): all four corners have

@@ -12,7 +12,7 @@
 #include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
-#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
 
@@ -24,7 +24,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -59,23 +62,23 @@ auto numbering_of_vertices(const Graph& graph)
 }
 
 // The number of the vertex of the triangulation at each point.
-template <class Triangulation>
-std::vector<std::size_t> numbers_of_points(const Triangulation& tr,
-                                           const Numbered_vertices<Triangulation>& numbered,
-                                           const std::vector<typename Triangulation::Point>& points)
+template <class Triangulation, class Point>
+std::vector<std::uint32_t> numbers_of_points(const Numbered_vertices<Triangulation>& vertices,
+                                             const std::vector<Point>& points)
 {
-  const auto compare = tr.geom_traits().compare_xyz_3_object();
-  std::vector<std::size_t> numbers;
-  std::vector<bool> is_met(numbered.points.size(), false);
-  for (const auto& p : points) {
-    const auto found =
-        std::lower_bound(numbered.points.begin(), numbered.points.end(), &p,
-                         [&](const auto* a, const auto* b) { return compare(*a, *b) == SMALLER; });
-    if (found == numbered.points.end() || compare(**found, p) != EQUAL)
+  std::vector<std::pair<Point, std::size_t>> sorted;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    sorted.emplace_back(vertices.point(i), i);
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::uint32_t> numbers;
+  std::vector<bool> is_met(vertices.size(), false);
+  for (const Point& p : points) {
+    const auto found = std::lower_bound(sorted.begin(), sorted.end(), std::pair(p, std::size_t(0)));
+    if (found == sorted.end() || found->first != p)
       throw Surface_input_error("vertex " + std::to_string(numbers.size()) +
                                 " of the surface is no vertex of the triangulation");
-    numbers.push_back(std::size_t(found - numbered.points.begin()));
-    is_met[numbers.back()] = true;
+    numbers.push_back(std::uint32_t(found->second));
+    is_met[found->second] = true;
   }
   if (std::find(is_met.begin(), is_met.end(), false) != is_met.end())
     throw Surface_input_error("a vertex of the triangulation is no vertex of the surface");
@@ -137,23 +140,23 @@ bool contains_euclidean_minimum_spanning_tree(
   const std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> descriptors(
       all_vertices.begin(), all_vertices.end());
   const Numbered_vertices<Triangulation> numbered(tr);
-  const std::vector<std::size_t> numbers =
-      numbers_of_points(tr, numbered, read_points<Point>(descriptors, point_map));
+  const std::vector<std::uint32_t> numbers =
+      numbers_of_points(numbered, read_points<Point>(descriptors, point_map));
   const std::vector<std::size_t> dense =
       dense_indices(descriptors, index_map, std::vector<std::size_t>().max_size());
   const Dense_index_map<std::decay_t<decltype(index_map)>> dense_map(index_map, dense);
   const auto number = [&](auto v) { return numbers[index_of_end(dense_map, v, numbers.size())]; };
 
-  std::vector<Measured_edge> forest;
+  std::vector<Measured_edge<std::uint32_t>> forest;
   for (const auto e : make_range(edges(mesh)))
-    if (number(source(e, mesh)) != number(target(e, mesh)))
-      forest.push_back(measured_edge(number(source(e, mesh)), number(target(e, mesh)), 0));
-  const Rounding_to_nearest rounding;
-  const Lengths_of_points<Point, Gt> lengths(numbered.points, tr.geom_traits());
-  keep_minimum_spanning_forest(forest, numbered.points.size(), lengths);
-  const auto tree = euclidean_minimum_spanning_tree(tr, numbered, lengths);
-  return std::equal(tree.begin(), tree.end(), forest.begin(), forest.end(),
-                    [&](const auto& a, const auto& b) { return lengths.compare(a, b) == 0; });
+    if (const auto s = number(source(e, mesh)), t = number(target(e, mesh)); s != t)
+      forest.push_back({{s, t}, 0, 0});
+  return numbered.with_lengths([&](const auto& lengths) {
+    const auto tree = numbered.minimum_spanning_tree(lengths);
+    keep_minimum_spanning_forest(forest, numbered.size(), lengths, Alone(), std::cref(numbered));
+    return std::equal(tree.begin(), tree.end(), forest.begin(), forest.end(),
+                      [&](const auto& a, const auto& b) { return lengths.compare(a, b) == 0; });
+  });
 }
 
 } // namespace CGAL

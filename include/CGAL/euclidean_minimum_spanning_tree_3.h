@@ -19,10 +19,10 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Unique_hash_map.h>
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -31,103 +31,79 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The finite vertices of a triangulation, numbered from the lexicographically smallest on, so that
-// a number does not depend on the order in which they were inserted.
+// The finite vertices of a triangulation, numbered as they lie in memory. Called with two numbers, tells
+// whether the first has the lexicographically smaller point: ties are broken by that.
 template <class Triangulation>
-struct Numbered_vertices
+class Numbered_vertices
 {
+public:
   using Vertex = typename Triangulation::Vertex_handle;
   using Point = typename Triangulation::Point;
 
   explicit Numbered_vertices(const Triangulation& tr)
-    : number(0, tr.number_of_vertices() + 1)
+    : m_triangulation(tr)
+    , m_number(0, tr.number_of_vertices() + 1)
   {
-    const auto compare = tr.geom_traits().compare_xyz_3_object();
-    for (const Vertex v : tr.finite_vertex_handles())
-      vertices.push_back(v);
-    std::sort(vertices.begin(), vertices.end(),
-              [&](Vertex v, Vertex w) { return compare(v->point(), w->point()) == SMALLER; });
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      number[vertices[i]] = i;
-      points.push_back(&vertices[i]->point());
+    for (const Vertex v : tr.finite_vertex_handles()) {
+      m_number[v] = m_vertices.size();
+      m_vertices.push_back(v);
     }
   }
 
-  std::vector<Vertex> vertices;
-  std::vector<const Point*> points;
-  Unique_hash_map<Vertex, std::size_t> number;
-};
-
-// Those of a copy of points whose coordinates are doubles.
-template <class Point, class GeomTraits>
-class Lengths_by_doubles : public Lengths_between
-{
-public:
-  Lengths_by_doubles(const std::vector<const Point*>& points, const GeomTraits&)
-    : Lengths_by_doubles(coordinates_of(points))
+  std::size_t size() const { return m_vertices.size(); }
+  Vertex operator[](std::size_t i) const { return m_vertices[i]; }
+  const Point& point(std::size_t i) const { return m_vertices[i]->point(); }
+  bool operator()(std::size_t i, std::size_t j) const
   {
+    return m_triangulation.geom_traits().compare_xyz_3_object()(point(i), point(j)) == SMALLER;
   }
-  Lengths_by_doubles(const Lengths_by_doubles&) = delete;
-  Lengths_by_doubles& operator=(const Lengths_by_doubles&) = delete;
+
+  // Calls use(lengths) with the lengths of edges, of a copy of the points if coordinates are doubles.
+  template <class Use>
+  auto with_lengths(const Use& use) const
+  {
+    const auto point_of = [this](std::size_t i) -> const Point& { return point(i); };
+    using By_kernel = Lengths_by_kernel<decltype(point_of), typename Triangulation::Geom_traits>;
+    const Rounding_to_nearest rounding;
+    if constexpr (By_kernel::has_doubles) {
+      std::vector<double> coordinates;
+      coordinates.reserve(3 * size());
+      for (const Vertex v : m_vertices)
+        coordinates.insert(coordinates.end(), {v->point().x(), v->point().y(), v->point().z()});
+      return use(Lengths_between(Point_array(coordinates.data(), size())));
+    } else {
+      return use(By_kernel(point_of, m_triangulation.geom_traits()));
+    }
+  }
+
+  template <class Lengths>
+  std::vector<Measured_edge<std::uint32_t>> minimum_spanning_tree(const Lengths& lengths) const
+  {
+    const Triangulation& tr = m_triangulation;
+    const auto number = [&](Vertex v) { return std::uint32_t(m_number[v]); };
+    std::vector<std::array<std::uint32_t, 4>> simplices; // cells, or edges if there are no cells
+    if (tr.dimension() == 3) {
+      simplices.reserve(std::size_t(tr.number_of_cells()));
+      for (auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
+        simplices.push_back({number(c->vertex(0)), number(c->vertex(1)), number(c->vertex(2)),
+                             number(c->vertex(3))});
+    } else {
+      for (auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e)
+        simplices.push_back(
+            {number(e->first->vertex(e->second)), number(e->first->vertex(e->third))});
+    }
+    auto tree = edges_of_simplices(
+        simplices.size(), tr.dimension() == 3 ? 4 : 2, size(),
+        [&](std::size_t c, std::size_t k) { return simplices[c][k]; }, lengths, Alone());
+    keep_minimum_spanning_forest(tree, size(), lengths, Alone(), std::cref(*this));
+    return tree;
+  }
 
 private:
-  explicit Lengths_by_doubles(std::vector<double>&& coordinates)
-    : Lengths_between(Point_array(coordinates.data(), coordinates.size() / 3))
-    , m_coordinates(std::move(coordinates))
-  {
-  }
-  static std::vector<double> coordinates_of(const std::vector<const Point*>& points)
-  {
-    std::vector<double> coordinates;
-    coordinates.reserve(3 * points.size());
-    for (const Point* const p : points)
-      coordinates.insert(coordinates.end(), {p->x(), p->y(), p->z()});
-    return coordinates;
-  }
-
-  std::vector<double> m_coordinates;
+  const Triangulation& m_triangulation;
+  std::vector<Vertex> m_vertices;
+  Unique_hash_map<Vertex, std::size_t> m_number;
 };
-
-// The lengths of edges between points; `points[i]` points to point i.
-template <class Point, class GeomTraits>
-using Lengths_of_points =
-    std::conditional_t<Lengths_by_kernel<Point, GeomTraits>::has_doubles,
-                       Lengths_by_doubles<Point, GeomTraits>, Lengths_by_kernel<Point, GeomTraits>>;
-
-// Returns the corners of its cells, or the ends of its edges if it has none, by numbers of vertices.
-template <class Triangulation>
-std::vector<std::uint32_t> corners_of_simplices(const Triangulation& tr,
-                                                const Numbered_vertices<Triangulation>& numbered)
-{
-  std::vector<std::uint32_t> corners;
-  const auto add = [&](auto vertex) { corners.push_back(std::uint32_t(numbered.number[vertex])); };
-  corners.reserve(tr.dimension() == 3 ? 4 * std::size_t(tr.number_of_cells()) : 0);
-  if (tr.dimension() == 3)
-    for (auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
-      for (int k = 0; k < 4; ++k)
-        add(c->vertex(k));
-  else
-    for (auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e) {
-      add(e->first->vertex(e->second));
-      add(e->first->vertex(e->third));
-    }
-  return corners;
-}
-
-template <class Triangulation, class Lengths>
-std::vector<Measured_edge>
-euclidean_minimum_spanning_tree(const Triangulation& tr,
-                                const Numbered_vertices<Triangulation>& numbered,
-                                const Lengths& lengths)
-{
-  const std::size_t n = numbered.vertices.size(), size = tr.dimension() == 3 ? 4 : 2;
-  const std::vector<std::uint32_t> corners = corners_of_simplices(tr, numbered);
-  auto tree = edges_of_simplices(
-      corners.size() / size, size, n,
-      [&](std::size_t c, std::size_t k) { return corners[size * c + k]; }, lengths, Alone());
-  keep_minimum_spanning_forest(tree, n, lengths);
-  return tree;
-}
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
@@ -172,15 +148,11 @@ euclidean_minimum_spanning_tree_3(const Delaunay_triangulation_3<Gt, Tds, Lp, Sl
 {
   using namespace Delaunay_from_surface_3::internal;
   using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
-  const Numbered_vertices<Triangulation> numbered(tr);
-  const auto tree = [&] {
-    const Rounding_to_nearest rounding;
-    const Lengths_of_points<typename Triangulation::Point, Gt> lengths(numbered.points,
-                                                                       tr.geom_traits());
-    return euclidean_minimum_spanning_tree(tr, numbered, lengths);
-  }();
-  for (const Measured_edge& e : tree)
-    *out++ = std::make_pair(numbered.vertices[e.ends[0]], numbered.vertices[e.ends[1]]);
+  const Numbered_vertices<Triangulation> vertices(tr);
+  const auto tree = vertices.with_lengths(
+      [&](const auto& lengths) { return vertices.minimum_spanning_tree(lengths); });
+  for (const auto& e : tree)
+    *out++ = std::make_pair(vertices[e.ends[0]], vertices[e.ends[1]]);
   return out;
 }
 

@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -40,8 +41,8 @@ Lengths are compared exactly. Among edges of the same length, those between poin
 come first.
 
 <b>Complexity</b>: \f$O(m \log m)\f$ for m edges of the triangulation. While it runs, it holds 4 bytes
-for each edge of each tetrahedron, 32 for each edge that is not clearly the longest of a triangle, and
-some 17 per point.
+for each edge of each tetrahedron, 24 for each edge that is not clearly the longest of a triangle, and
+some 8 per point.
 
 \param arrays the Delaunay triangulation of the points
 \param points the points of the arrays, in the same order; any range that `delaunay_3_arrays()`
@@ -68,7 +69,7 @@ OutputIterator euclidean_minimum_spanning_tree_3(const Delaunay_3_arrays<Index>&
   check_number_of_points(arrays, read.size());
   if (arrays.dimension() < 1)
     return out;
-  std::vector<Measured_edge> tree;
+  std::vector<Measured_edge<std::uint32_t>> tree;
   {
     const Rounding_to_nearest rounding;
     const Lengths_between lengths(read.points());
@@ -79,7 +80,7 @@ OutputIterator euclidean_minimum_spanning_tree_3(const Delaunay_3_arrays<Index>&
         Alone());
     keep_minimum_spanning_forest(tree, read.size(), lengths);
   }
-  for (const Measured_edge& e : tree)
+  for (const auto& e : tree)
     *out++ = std::array<Index, 2>{Index(e.ends[0]), Index(e.ends[1])};
   return out;
 }

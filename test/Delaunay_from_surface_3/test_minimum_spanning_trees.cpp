@@ -20,6 +20,7 @@
 #include <CGAL/Delaunay_from_surface_3/surface/Minimum_spanning_forest.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tracing_traits_3.h>
 #include <CGAL/contains_euclidean_minimum_spanning_tree.h>
@@ -41,6 +42,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -180,6 +182,69 @@ BOOST_AUTO_TEST_CASE(trees_are_those_of_all_pairs)
         BOOST_TEST((tree[k].first->point() == other_tree[k].first->point() &&
                     tree[k].second->point() == other_tree[k].second->point()));
     }
+}
+
+namespace {
+
+// By Kruskal's algorithm on all finite edges, in exact numbers.
+template <class Tr>
+std::vector<std::pair<typename Tr::Vertex_handle, typename Tr::Vertex_handle>>
+tree_by_finite_edges(const Tr& tr)
+{
+  using FT = CGAL::Exact_predicates_exact_constructions_kernel::FT;
+  using Vertex = typename Tr::Vertex_handle;
+  std::map<Vertex, std::size_t> number;
+  for (const Vertex v : tr.finite_vertex_handles())
+    number.emplace(v, number.size());
+  std::vector<std::tuple<FT, typename Tr::Point, typename Tr::Point, Vertex, Vertex>> edges;
+  for (auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e) {
+    Vertex v = e->first->vertex(e->second), w = e->first->vertex(e->third);
+    if (w->point() < v->point())
+      std::swap(v, w);
+    FT length = 0;
+    for (int k = 0; k < 3; ++k)
+      length += CGAL::square(FT(v->point()[k]) - FT(w->point()[k]));
+    edges.emplace_back(length, v->point(), w->point(), v, w);
+  }
+  std::sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) {
+    return std::tie(std::get<0>(a), std::get<1>(a), std::get<2>(a)) <
+           std::tie(std::get<0>(b), std::get<1>(b), std::get<2>(b));
+  });
+  DFS::core::Disjoint_sets<std::size_t> sets(number.size());
+  std::vector<std::pair<Vertex, Vertex>> tree;
+  for (const auto& [length, p, q, v, w] : edges)
+    if (sets.unite(number.at(v), number.at(w)))
+      tree.emplace_back(v, w);
+  return tree;
+}
+
+// Also when vertices were removed, so that those left are no longer one after the other in memory.
+template <class Kernel>
+void check_by_finite_edges(const std::vector<Point>& points, double scale)
+{
+  CGAL::Delaunay_triangulation_3<Kernel> tr;
+  for (const Point& p : points)
+    tr.insert(typename Kernel::Point_3(p.x() * scale, p.y() * scale, p.z() * scale));
+  BOOST_TEST((tree_of(tr) == tree_by_finite_edges(tr)));
+  for (int k = 0; k < 10 && tr.number_of_vertices() > 0; ++k)
+    tr.remove(std::next(tr.finite_vertices_begin(), std::ptrdiff_t(tr.number_of_vertices() / 2)));
+  tr.insert(typename Kernel::Point_3(scale / 4, scale / 8, 0));
+  BOOST_TEST((tree_of(tr) == tree_by_finite_edges(tr)));
+}
+
+} // namespace
+
+// There is one tree, for all kernels and at all scales.
+BOOST_AUTO_TEST_CASE(trees_are_those_of_all_finite_edges)
+{
+  for (const std::vector<Point>& points :
+       {grid(5), random_points(150, 6, 1), kissing_points(), random_points(200, 1 << 20, 2),
+        random_points(12, 9, 3)}) {
+    for (const double scale : {1., 1e-3, 1e-160, 1e-318, 1e160, 1e300})
+      check_by_finite_edges<CGAL::Exact_predicates_inexact_constructions_kernel>(points, scale);
+    check_by_finite_edges<CGAL::Exact_predicates_exact_constructions_kernel>(points, 1e-3);
+    check_by_finite_edges<CGAL::Simple_cartesian<double>>(points, 1);
+  }
 }
 
 // Lengths that doubles cannot tell apart, and lengths beyond their squares.

@@ -17,6 +17,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
 #include <algorithm>
 #include <array>
@@ -80,7 +81,10 @@ public:
     return square;
   }
 
-  int compare(const Measured_edge& a, const Measured_edge& b) const
+  void prefetch_point(std::size_t i) const { prefetch(m_points[i]); }
+
+  template <class Edge>
+  int compare(const Edge& a, const Edge& b) const
   {
     const double* const v[3] = {m_points[a.ends[1]], m_points[b.ends[0]], m_points[b.ends[1]]};
     return exact_sign_of_any<Exact_lengths>(v, m_points[a.ends[0]]);
@@ -91,101 +95,102 @@ private:
   double m_factor;
 };
 
-// The edges of a simplex, and the triangles that they form.
-inline constexpr unsigned char ends_of_edge[6][2] = {{0, 1}, {0, 2}, {1, 2},
-                                                     {0, 3}, {1, 3}, {2, 3}};
-inline constexpr unsigned char edges_of_triangle[4][3] = {
-    {0, 1, 2}, {0, 3, 4}, {1, 3, 5}, {2, 4, 5}};
-
-// Returns a bit for each edge of a tetrahedron, or of a triangle, that is clearly longer than two others
-// with which it forms a triangle.
-template <class Lengths>
-unsigned longest_edges(const std::array<std::size_t, 4>& v, std::size_t corners,
-                       const Lengths& lengths)
+// Returns a bit for each edge 01, 02, 12, 03, 13, 23 of a simplex that is clearly longer than two others
+// with which it forms a triangle. Which edge that is cannot be predicted, so there is no branch.
+template <std::size_t corners, class Lengths>
+unsigned longest_edges(const std::array<std::uint32_t, corners>& v, const Lengths& lengths)
 {
-  double length[6];
-  for (std::size_t e = 0; e < corners * (corners - 1) / 2; ++e)
-    length[e] = lengths.squared_length(v[ends_of_edge[e][0]], v[ends_of_edge[e][1]]);
+  constexpr unsigned char others[6][4] = {{1, 2, 3, 4}, {0, 2, 3, 5}, {0, 1, 4, 5},
+                                          {0, 4, 1, 5}, {0, 3, 2, 5}, {1, 3, 2, 4}};
+  constexpr double none = std::numeric_limits<double>::infinity();
+  double length[6] = {none, none, none, none, none, none};
+  for (std::size_t l = 1; l < corners; ++l)
+    for (std::size_t k = 0; k < l; ++k)
+      length[l * (l - 1) / 2 + k] = lengths.squared_length(v[k], v[l]);
   unsigned found = 0;
-  for (std::size_t t = 0; t < (corners == 4 ? 4 : corners - 2); ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const unsigned char* const e = edges_of_triangle[t];
-      const double one = length[e[(k + 1) % 3]], other = length[e[(k + 2) % 3]];
-      if (is_clearly_less(one, length[e[k]]) && is_clearly_less(other, length[e[k]]))
-        found |= 1u << e[k];
-    }
+  for (unsigned e = 0; e < 6; ++e) {
+    const unsigned char* const o = others[e];
+    const double a = length[o[0]], b = length[o[1]], c = length[o[2]], d = length[o[3]];
+    const double ab = a < b ? b : a, cd = c < d ? d : c; // std::max() would return a reference
+    found |= unsigned(is_clearly_less(ab < cd ? ab : cd, length[e])) << e;
+  }
   return found;
 }
 
-// Lists with marks `is_long` of the numbers in them: removes the numbers that have one, and those that
-// were in the same list before. Cost: linear.
-inline void remove_long_and_repeated(Lists<std::uint32_t>& lists, std::uint32_t is_long,
-                                     Steps& step)
+constexpr std::uint32_t is_long = std::uint32_t(1) << 31;
+
+// Returns the larger ends of the edges of simplices, listed by the smaller: once for each simplex, with a
+// mark `is_long` if the edge is clearly the longest of one of its triangles.
+template <std::size_t corners, class CornerOf, class Lengths>
+Lists<std::uint32_t> larger_ends(std::size_t number, std::size_t n, const CornerOf& corner_of,
+                                 const Lengths& lengths, const Executor& executor)
 {
-  const std::size_t n = lists.size();
-  std::vector<std::uint32_t> met_by(n, is_long);
-  std::uint32_t *const items = lists.items.data(), *to = items, *begin = items;
-  for (std::size_t s = 0; s < n; ++s) {
-    std::uint32_t* const end = items + lists.first[s + 1];
-    step(std::size_t(end - begin) + 1);
-    lists.first[s] = std::uint32_t(to - items);
-    for (const std::uint32_t* t = begin; t != end; ++t)
-      if ((*t & is_long) != 0)
-        met_by[*t & ~is_long] = std::uint32_t(s);
-    for (const std::uint32_t* t = begin; t != end; ++t)
-      if ((*t & is_long) == 0 && met_by[*t] != s) {
-        met_by[*t] = std::uint32_t(s);
-        *to++ = *t;
+  const std::size_t blocks = number_of_blocks(executor, number, many_items);
+  // Calls visit(simplex, one some steps ahead) for a part of the simplices.
+  const auto visit_simplices = [&](std::size_t block, const auto& visit) {
+    Steps step(executor);
+    const std::size_t last = number * (block + 1) / blocks;
+    for (std::size_t c = number * block / blocks; c < last; ++c, step())
+      visit(c, (std::min)(c + prefetch_distance, last - 1));
+  };
+  Sort_into_lists<std::uint32_t> sort(n, blocks, executor);
+  sort.count([&](std::size_t b, std::uint32_t* numbers) {
+    visit_simplices(b, [&](std::size_t c, std::size_t) {
+      for (std::size_t k = 0; k < corners; ++k)
+        for (std::size_t l = k + 1; l < corners; ++l)
+          ++numbers[(std::min)(corner_of(c, k), corner_of(c, l))];
+    });
+  });
+  return sort.place([&](std::size_t b, std::uint32_t* places, std::uint32_t* items) {
+    visit_simplices(b, [&](std::size_t c, std::size_t ahead) {
+      std::array<std::uint32_t, corners> v;
+      for (std::size_t k = 0; k < corners; ++k) {
+        v[k] = std::uint32_t(corner_of(c, k));
+        lengths.prefetch_point(std::size_t(corner_of(ahead, k)));
+        prefetch(items + places[corner_of(ahead, k)]);
       }
-    begin = end;
-  }
-  lists.first[n] = std::uint32_t(to - items);
+      const unsigned longest = longest_edges(v, lengths);
+      for (std::size_t l = 1; l < corners; ++l)
+        for (std::size_t k = 0; k < l; ++k)
+          items[places[(std::min)(v[k], v[l])]++] =
+              (std::max)(v[k], v[l]) | (longest >> (l * (l - 1) / 2 + k)) << 31;
+    });
+  });
 }
 
 // The edges of simplices, each once, but for those that are clearly the longest of a triangle. There are
 // `number` simplices of 2 to 4 corners, and n < 2^31 vertices; corner_of(c, k) is corner k of simplex c.
 // Cost: linear.
 template <class CornerOf, class Lengths>
-std::vector<Measured_edge> edges_of_simplices(std::size_t number, std::size_t corners,
-                                              std::size_t n, const CornerOf& corner_of,
-                                              const Lengths& lengths, const Executor& executor)
+std::vector<Measured_edge<std::uint32_t>>
+edges_of_simplices(std::size_t number, std::size_t corners, std::size_t n,
+                   const CornerOf& corner_of, const Lengths& lengths, const Executor& executor)
 {
-  constexpr std::uint32_t is_long = std::uint32_t(1) << 31;
-  const std::size_t edges = corners * (corners - 1) / 2;
-  if (n >= is_long || edges * number >= (std::numeric_limits<std::uint32_t>::max)())
+  if (n >= is_long ||
+      corners * (corners - 1) / 2 * number >= (std::numeric_limits<std::uint32_t>::max)())
     throw std::length_error("edges can be found for at most 700 million tetrahedra");
-  // Calls visit(list, other end, whether it is the longest) for the edges of a part of the simplices.
-  const std::size_t blocks = number_of_blocks(executor, number, many_items);
-  const auto visit_edges = [&](std::size_t block, bool measures, const auto& visit) {
-    Steps step(executor);
-    for (std::size_t c = number * block / blocks; c < number * (block + 1) / blocks; ++c, step()) {
-      std::array<std::size_t, 4> v = {};
-      for (std::size_t k = 0; k < corners; ++k)
-        v[k] = std::size_t(corner_of(c, k));
-      const unsigned longest = measures ? longest_edges(v, corners, lengths) : 0;
-      for (std::size_t e = 0; e < edges; ++e) {
-        const auto [s, t] = std::minmax(v[ends_of_edge[e][0]], v[ends_of_edge[e][1]]);
-        visit(s, t, (longest >> e & 1) != 0);
-      }
-    }
-  };
-  Sort_into_lists<std::uint32_t> sort(n, blocks, executor); // by the smaller end
-  sort.count([&](std::size_t b, std::uint32_t* numbers) {
-    visit_edges(b, false, [&](std::size_t s, std::size_t, bool) { ++numbers[s]; });
-  });
-  Lists<std::uint32_t> others =
-      sort.place([&](std::size_t b, std::uint32_t* places, std::uint32_t* items) {
-        visit_edges(b, true, [&](std::size_t s, std::size_t t, bool is_longest) {
-          items[places[s]++] = std::uint32_t(t) | (is_longest ? is_long : 0);
-        });
-      });
+  const auto list_ends = corners == 4   ? larger_ends<4, CornerOf, Lengths>
+                         : corners == 3 ? larger_ends<3, CornerOf, Lengths>
+                                        : larger_ends<2, CornerOf, Lengths>;
+  Lists<std::uint32_t> ends = list_ends(number, n, corner_of, lengths, executor);
+  std::vector<Measured_edge<std::uint32_t>> found;
+  found.reserve(2 * n);                   // of points on surfaces, some 1.7 n are found
+  std::vector<std::uint32_t> state(n, 0); // 2 s + 2 if met in list s, 2 s + 3 if with a mark there
   Steps step(executor);
-  remove_long_and_repeated(others, is_long, step);
-  std::vector<Measured_edge> found;
-  found.reserve(others.first[n]);
-  for (std::size_t s = 0; s < n; ++s)
-    for (const std::uint32_t* t = others.begin(s); t != others.end(s); ++t)
-      found.push_back(measured_edge(s, *t, 0));
+  for (std::uint32_t s = 0; s < n; ++s) {
+    const std::uint32_t met = 2 * s + 2;
+    std::uint32_t *const begin = ends.items.data() + ends.first[s], *to = begin;
+    step(std::size_t(ends.end(s) - begin) + 1);
+    for (const std::uint32_t* t = begin; t != ends.end(s); ++t) {
+      const std::uint32_t other = *t & ~is_long, before = state[other];
+      state[other] = (std::max)(before, met + (*t != other));
+      *to = other;
+      to += before < met;
+    }
+    for (const std::uint32_t* t = begin; t != to; ++t)
+      if (state[*t] == met)
+        found.push_back({{s, *t}, 0, 0});
+  }
   return found;
 }
 

@@ -11,8 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
+#include <iterator>
 #include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -63,47 +64,64 @@ private:
   std::vector<Index> m_parent;
 };
 
-// The smaller number first. Edges of the same length are taken in lexicographical order, those with the
-// same ends by their places.
+// Edges with the same ends have different places.
+template <class Index>
 struct Measured_edge
 {
-  std::array<std::size_t, 2> ends;
-  std::size_t place;
+  std::array<Index, 2> ends;
+  Index place;
   double squared_length; // rounded
 };
 
-inline Measured_edge measured_edge(std::size_t s, std::size_t t, std::size_t place)
-{
-  return {{(std::min)(s, t), (std::max)(s, t)}, place, 0};
-}
-
-// Tells of squared lengths that were computed whether the lengths differ: if nothing underflows, they are
-// off by at most six roundings.
+// Tells of squared lengths that were computed whether the lengths differ: they are off by at most six
+// roundings, and by what underflows. One that overflows is never clearly more.
 inline bool is_clearly_less(double x, double y)
 {
-  return x > 1e-280 && y < 1e280 && y - x > 1e-14 * y;
+  return y - x > 1e-14 * y + 1e-300;
 }
 
-// Keeps the edges of a minimum spanning forest of n vertices, from the shortest to the longest.
-// lengths.compare(a, b) is the sign of the difference of two lengths, exactly. Cost: O(m log m).
-template <class Lengths>
-void keep_minimum_spanning_forest(std::vector<Measured_edge>& edges, std::size_t n,
-                                  const Lengths& lengths, const Executor& executor = Alone())
+// Keeps the edges of a minimum spanning forest of n vertices, from the shortest to the longest, each with
+// the end first that is before the other. Of edges of the same length, those with the lexicographically
+// smaller ends come first, of edges with the same ends those with smaller places. The sign of the
+// difference of two lengths is lengths.compare(a, b), exactly. Cost: O(m log m).
+template <class Index, class Lengths, class IsBefore = std::less<Index>>
+void keep_minimum_spanning_forest(std::vector<Measured_edge<Index>>& edges, std::size_t n,
+                                  const Lengths& lengths, const Executor& executor = Alone(),
+                                  const IsBefore& is_before = IsBefore())
 {
+  using Edge = Measured_edge<Index>;
   Steps step(executor);
-  for (Measured_edge& e : edges)
+  for (Edge& e : edges) {
+    if (is_before(e.ends[1], e.ends[0]))
+      std::swap(e.ends[0], e.ends[1]);
     e.squared_length = lengths.squared_length(e.ends[0], e.ends[1]);
-  std::sort(edges.begin(), edges.end(), [&](const Measured_edge& a, const Measured_edge& b) {
+  }
+  std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
     step();
-    if (is_clearly_less(a.squared_length, b.squared_length))
-      return true;
-    if (is_clearly_less(b.squared_length, a.squared_length))
-      return false;
-    const int sign = lengths.compare(a, b);
-    return sign != 0 ? sign < 0 : std::tie(a.ends, a.place) < std::tie(b.ends, b.place);
+    return a.squared_length < b.squared_length;
   });
-  Disjoint_sets<std::size_t> trees(n);
-  const auto is_superfluous = [&](const Measured_edge& e) {
+  const auto are_clear = [](const Edge& a, const Edge& b) {
+    return is_clearly_less(a.squared_length, b.squared_length);
+  };
+  for (auto first = edges.begin(), last = first; first != edges.end(); first = last) {
+    last = std::adjacent_find(first, edges.end(), are_clear);
+    last += last != edges.end();
+    const bool are_equal = std::all_of(std::next(first), last, [&](const Edge& e) {
+      step();
+      return lengths.compare(*first, e) == 0;
+    });
+    std::sort(first, last, [&](const Edge& a, const Edge& b) {
+      step();
+      if (const int sign = are_equal ? 0 : lengths.compare(a, b))
+        return sign < 0;
+      if (a.ends != b.ends)
+        return std::lexicographical_compare(a.ends.begin(), a.ends.end(), b.ends.begin(),
+                                            b.ends.end(), is_before);
+      return a.place < b.place;
+    });
+  }
+  Disjoint_sets<Index> trees(n);
+  const auto is_superfluous = [&](const Edge& e) {
     step();
     return !trees.unite(e.ends[0], e.ends[1]);
   };

@@ -28,17 +28,17 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The lengths of edges between points of a kernel, which compares those that are nearly equal.
-// `points[i]` points to point i.
-template <class Point, class GeomTraits>
+// point(i) is a reference to point i.
+template <class PointOf, class GeomTraits>
 class Lengths_by_kernel
 {
-public:
-  static constexpr bool has_doubles =
-      std::is_same<std::decay_t<decltype(std::declval<const Point&>().x())>, double>::value;
+  using Coordinate = std::decay_t<decltype(std::declval<const PointOf&>()(0).x())>;
 
-  // Keeps a reference.
-  Lengths_by_kernel(const std::vector<const Point*>& points, const GeomTraits& gt)
-    : m_points(points)
+public:
+  static constexpr bool has_doubles = std::is_same<Coordinate, double>::value;
+
+  Lengths_by_kernel(const PointOf& point, const GeomTraits& gt)
+    : m_point(point)
     , m_compare_distance(gt.compare_distance_3_object())
   {
   }
@@ -47,21 +47,24 @@ public:
   double squared_length(std::size_t i, std::size_t j) const
   {
     if constexpr (has_doubles) {
-      const Point &p = *m_points[i], &q = *m_points[j];
+      const auto &p = m_point(i), &q = m_point(j);
       const double x = p.x() - q.x(), y = p.y() - q.y(), z = p.z() - q.z();
       return x * x + y * y + z * z;
     }
     return 0;
   }
 
-  int compare(const Measured_edge& a, const Measured_edge& b) const
+  void prefetch_point(std::size_t) const {}
+
+  template <class Edge>
+  int compare(const Edge& a, const Edge& b) const
   {
-    return int(m_compare_distance(*m_points[a.ends[0]], *m_points[a.ends[1]], *m_points[b.ends[0]],
-                                  *m_points[b.ends[1]]));
+    return int(m_compare_distance(m_point(a.ends[0]), m_point(a.ends[1]), m_point(b.ends[0]),
+                                  m_point(b.ends[1])));
   }
 
 private:
-  const std::vector<const Point*>& m_points;
+  PointOf m_point;
   decltype(std::declval<const GeomTraits&>().compare_distance_3_object()) m_compare_distance;
 };
 
@@ -119,22 +122,20 @@ public:
   EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
                                 EdgeOutputIterator out) const
   {
-    std::vector<const Point*> points;
-    points.reserve(m_points->size());
-    for (const Point& p : *m_points)
-      points.push_back(&p);
+    const auto point = [this](std::size_t i) -> const Point& { return (*m_points)[i]; };
     std::vector<typename boost::graph_traits<Graph>::edge_descriptor> all;
-    std::vector<core::Measured_edge> forest;
+    std::vector<core::Measured_edge<std::size_t>> forest;
     for (auto [e, end] = edges(graph); e != end; ++e) {
-      const std::size_t s = internal::index_of_end(index_map, source(*e, graph), points.size());
-      const std::size_t t = internal::index_of_end(index_map, target(*e, graph), points.size());
-      forest.push_back(core::measured_edge(s, t, all.size()));
+      const std::size_t s = internal::index_of_end(index_map, source(*e, graph), m_points->size());
+      const std::size_t t = internal::index_of_end(index_map, target(*e, graph), m_points->size());
+      forest.push_back({{s, t}, all.size(), 0});
       all.push_back(*e);
     }
     using Kernel = typename Kernel_traits<Point>::Kernel;
     core::keep_minimum_spanning_forest(
-        forest, points.size(), internal::Lengths_by_kernel<Point, Kernel>(points, Kernel()));
-    for (const core::Measured_edge& e : forest)
+        forest, m_points->size(),
+        internal::Lengths_by_kernel<decltype(point), Kernel>(point, Kernel()));
+    for (const auto& e : forest)
       *out++ = all[e.place];
     return out;
   }
