@@ -63,6 +63,8 @@ def text_stl():
 
 
 GOOD = {
+    "A.off": f"off\n5 5 0\n{rows(POINTS)}{counted(FACES)}".encode(), "B.off": f"5 5 0\n{rows(POINTS)}{counted(FACES)}".encode(),
+    "C.obj": f"# C:\\models\\\n{rows(('v', *p) for p in POINTS)}{rows(('f', *(v + 1 for v in f)) for f in FACES)}".encode(),
     "a.off": f"# a comment\nOFF\n\n5 5 0\n{rows(POINTS)}{counted(FACES)}".encode(),
     "b.OFF": f"COFF 5 5 0 # counts\r\n{rows((*p, 255, 0, 0, 255) for p in POINTS)}{counted(FACES)}".replace("\n", "\r\n").encode(),
     "c.obj": (f"mtllib x\n{rows(('v', *p) for p in POINTS)}vt 0 0\nf 4 3 2 \\\n 1\nf 1/1/1 2/1 5//1\nf -4 -3 -1\n" +
@@ -74,6 +76,9 @@ CLOUDS = {
     "i.xyz": rows(POINTS).encode(), "j.pts": f"5\n{rows((*p, 9, 1, 2, 3) for p in POINTS)}".encode(),
     "k.csv": ("x, y, z\n" + rows(POINTS).replace(" ", ", ")).encode(), "l.txt": rows(POINTS).replace(" ", "\t").encode(),
     "m.csv": rows(POINTS).replace(" ", ";").encode(),
+    "n.csv": ("id,z,x,y,\n" + "".join(f"{9 - i},{z},{x},{y},\n" for i, (x, y, z) in enumerate(POINTS))).encode(),
+    "o.xyz": (b"\xef\xbb\xbf5\nfour corners, and 1\n" + rows(("C", *p) for p in POINTS).encode()),
+    "p.txt": ("//X Y Z\n" + rows(POINTS)).encode(), "q.pts": rows((*p, 7) for p in POINTS).encode(),
 }
 BROKEN = {
     "n.off": (b"OFF\n2 0 0\n0 0 0\n", "n.off, line 3: the file ends before point 1 of 2"),
@@ -86,6 +91,12 @@ BROKEN = {
     "t.ply": (b"ply\nformat ascii 1.0\nelement vertex 1\nproperty quad x\nend_header\n", "t.ply, line 4: the property 'quad x' is not known"),
     "u.ply": (ply("binary_little_endian")[:-30], "u.ply: the file ends before all of its elements"),
     "v.stl": (binary_stl()[:-60].replace(b"solid", b"other"), "v.stl: the file ends before triangle 4 of 6"),
+    "v1.stl": (text_stl()[:-60], "v1.stl, line 40: the file ends within a facet"),
+    "v2.ply": (b"ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n3 0 1 2\n",
+               "v2.ply, line 6: strips of triangles are not read: write triangles"),
+    "v3.obj": (b"v 0 0 0\nf -1 -2 1\n", "v3.obj, line 2: there is no point -2"),
+    "v4.csv": (b"1,5;2,5;3,5\n", "v4.csv, line 1: '1,5' is not a finite number"),
+    "v5.xyz": (b"nan nan nan\n1 2 3\n", "v5.xyz, line 1: 'nan' is not a finite number"),
     "w.xyz": (b"1,5 2,5 3,5\n", "w.xyz, line 1: '1,5' is not a finite number"),
     "x.xyz": (b"0 0 0 1\n0 0 1 1\n0 0 2\n", "x.xyz, line 3: expected 4 numbers, as in the lines before"),
     "y.xyz": (b"1 2 inf\n", "y.xyz, line 1: 'inf' is not a finite number"),

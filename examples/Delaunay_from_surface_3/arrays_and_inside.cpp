@@ -79,8 +79,18 @@ int main(int argc, char* argv[])
         return EXIT_FAILURE;
       }
     }
+    double enclosed = 0; // by the surface, if it is closed
+    for (const auto& face : faces)
+      for (std::size_t k = 2; k < face.size(); ++k)
+        enclosed +=
+            CGAL::volume(points.front(), points[face[0]], points[face[k - 1]], points[face[k]]);
     std::cout << arrays.number_of_simplices() << " tetrahedra; those inside have volume " << volume
-              << " and " << skin << " facets to the outside\n";
+              << " and " << skin << " facets to the outside; the surface encloses " << enclosed
+              << '\n';
+    if (inside.crossed_volume > 0.1)
+      std::cerr
+          << int(100 * inside.crossed_volume)
+          << " % of this volume may be wrong, as these tetrahedra cross the surface: refine it\n";
   } catch (const CGAL::Surface_input_error& error) {
     std::cerr << file_name << ": " << error.what() << '\n';
     return EXIT_FAILURE; // for example, an open patch has no inside

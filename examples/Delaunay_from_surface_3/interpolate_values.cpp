@@ -75,7 +75,8 @@ int main(int argc, char* argv[])
     error += std::abs(interpolated(tr, c, q) - value);
   }
   if (inside == 0) {
-    std::cerr << "No point that was left out is in the hull of the others\n";
+    std::cerr
+        << "The file cannot be read, or no point that was left out is in the hull of the others\n";
     return EXIT_FAILURE;
   }
   std::cout << inside << " of " << queries.size()

@@ -120,7 +120,7 @@ int main(int argc, char* argv[])
 {
   const std::vector<Ball> balls = argc > 1 ? read_balls(argv[1]) : chain_of_balls(20000);
   if (balls.empty()) {
-    std::cerr << "There are no balls in " << argv[1] << '\n';
+    std::cerr << argv[1] << ": it cannot be read, or has no balls\n";
     return EXIT_FAILURE;
   }
   const Counts counts = counts_of_shape<Alpha_shape>(balls, "Regular_from_points_3");

@@ -28,7 +28,7 @@ const workerAddress = URL.createObjectURL(new Blob([JSON.parse($("worker").textC
 let file;     // what was opened last: its name and, once they are read, its bytes
 let worker;   // while it works
 let turn = 0; // changes when something begins or ends
-let shownFile, shownArrays = ""; // of the view: the names of its arrays
+let shownFile, shownArrays = "", lastHash = ""; // of the view: the names of its arrays, and how it was last set up
 
 // --- What is shown ---
 
@@ -40,14 +40,14 @@ function elementOf(id, content, count = 0) {
 
 // The part of the address that keeps what is seen of a file. Other arrays have other layers.
 function hashFor(names) {
-  const hash = (file === shownFile && $("view").contentWindow.hashOfView?.()) || "";
+  lastHash = $("view").contentDocument?.readyState === "complete" && $("view").contentWindow.hashOfView?.() || lastHash;
+  const hash = file === shownFile ? lastHash : "";
   return names === shownArrays ? hash : hash.replace(/&show=[^&]*/, "");
 }
 
 function show(view) {
   const info = JSON.stringify({name: file.name}).replaceAll("<", "\\u003c"), arrays = Object.entries(view).filter(([, array]) => array.length > 0);
   const names = arrays.map(([id]) => id).join(), hash = hashFor(names);
-  [shownFile, shownArrays] = [file, names];
   const parts = [pageBefore, ...elementOf("info", [info]),
     ...arrays.flatMap(([id, array]) => elementOf(id, base64Of(array), array.length)), pageAfter];
   $("view").onload = () => {
@@ -56,6 +56,7 @@ function show(view) {
       $("view").contentWindow.setUp(hash);
   };
   $("view").srcdoc = parts.join("");
+  [shownFile, shownArrays, lastHash] = [file, names, hash];
 }
 
 function tell(result, problem = "") {
@@ -88,7 +89,7 @@ function finish({view, note, seconds, hasRadii, numberOfPoints, numberOfSimplice
   try {
     show(view);
   } catch (error) {
-    $("problem").textContent = `${file.name}: it is too large to be shown: ${error.message}`;
+    $("problem").textContent = `${file.name}: ${error instanceof RangeError ? "it is too large to be shown" : error.message}`;
   }
 }
 
@@ -113,7 +114,7 @@ function run() {
     else
       $("share").value = share;
   };
-  worker.onerror = (event) => fail(`${file.name}: ${event.message ?? "the worker did not start"}`);
+  worker.onmessageerror = worker.onerror = (event) => fail(`${file.name}: ${event.message ?? "the worker did not start"}`);
   worker.postMessage({name: file.name, bytes: file.bytes, wasm, settings});
 }
 
@@ -207,7 +208,7 @@ function takeFiles(target) {
     event.preventDefault();
     mark(true);
   });
-  target.addEventListener("dragleave", () => mark(false));
+  target.addEventListener("dragleave", (event) => event.relatedTarget ?? mark(false));
   target.addEventListener("drop", (event) => {
     event.preventDefault();
     mark(false);

@@ -21,6 +21,7 @@ function scaleOf(points) {
 function imagesOf(triangulation, points, box) {
   const {simplices, offsets} = triangulation;
   const places = Array.from(points), sites = Array.from({length: points.length / 3}, (_, site) => site), known = new Map();
+  const moves = Array.from(points, () => 0);
   const tetrahedra = Uint32Array.from(simplices, (site, i) => {
     const move = offsets.subarray(3 * i, 3 * i + 3);
     if (move.every((periods) => periods === 0))
@@ -29,11 +30,12 @@ function imagesOf(triangulation, points, box) {
     if (!known.has(key)) {
       known.set(key, sites.length);
       sites.push(site);
+      moves.push(...move);
       move.forEach((periods, k) => places.push(points[3 * site + k] + periods * box[k]));
     }
     return known.get(key);
   });
-  return {places, sites: Uint32Array.from(sites), tetrahedra};
+  return {places, sites: Uint32Array.from(sites), moves: Int32Array.from(moves), tetrahedra};
 }
 
 // Which tetrahedra are inside, or why that is not known.
@@ -50,22 +52,25 @@ function insideOf(triangulation, triangles) {
 const isTriangle = (triangles, i) => triangles[i] !== triangles[i + 1] && triangles[i + 1] !== triangles[i + 2] &&
   triangles[i + 2] !== triangles[i];
 
-// The arrays of a view. With weights or in a box there are points only, as a surface then has no inside.
+// The arrays of a view. With weights, in a box or in a plane there are points only, as a surface then has no inside.
 function viewOf(surface, triangulation, weights, box) {
   const {middle, size} = scaleOf(surface.points);
   const centered = (points) => Float32Array.from(points, (x, i) => (x - middle[i % 3]) / size);
-  const scaled = (squares) => (squares ? {weights: Float32Array.from(squares, (w) => w / size / size)} : {});
+  const scaled = (squares) => { // only differences count
+    const least = squares ? squares.reduce((a, b) => Math.min(a, b)) : 0;
+    return squares ? {weights: Float32Array.from(squares, (w) => (w - least) / size / size)} : {};
+  };
   if (box) {
-    const {places, sites, tetrahedra} = imagesOf(triangulation, surface.points, box);
-    return {points: centered(places), sites, tetrahedra, ...scaled(weights && sites.map((site) => weights[site]))};
+    const {places, sites, moves, tetrahedra} = imagesOf(triangulation, surface.points, box);
+    return {points: centered(places), sites, moves, tetrahedra, ...scaled(weights && sites.map((site) => weights[site]))};
   }
   const {simplices, vertexOfPoint, hull, dimension} = triangulation;
   const view = {points: centered(surface.points), tetrahedra: Uint32Array.from(dimension === 3 ? simplices : []), ...scaled(weights)};
-  if (weights || surface.triangles.length === 0)
+  if (weights || surface.triangles.length === 0 || dimension !== 3)
     return {...view, hull: Uint32Array.from(dimension === 3 ? hull : simplices)};
   const triangles = Uint32Array.from(surface.triangles, (i) => vertexOfPoint[i]);
   const proper = triangles.filter((_, i) => isTriangle(triangles, i - i % 3));
-  return {...view, triangles: proper, ...(dimension === 3 ? insideOf(triangulation, proper) : {})};
+  return {...view, triangles: proper, ...insideOf(triangulation, proper)};
 }
 
 // The periods: the sides of the points' box, and a gap, which is a share of the longest.
@@ -104,6 +109,7 @@ addEventListener("message", async ({data: {name, bytes, wasm, settings}}) => {
     const result = await work(name, bytes, wasm, settings, (message) => postMessage(message));
     postMessage({result}, Object.values(result.view).map((array) => array.buffer));
   } catch (error) {
-    postMessage({problem: error.message.startsWith(name) ? error.message : `${name}: ${error.message}`});
+    const message = String(error?.message ?? error);
+    postMessage({problem: message.startsWith(name) ? message : `${name}: ${message}`});
   }
 });

@@ -5,7 +5,8 @@
 // Reads what is dropped onto the live page: meshes and clouds in .off, .ply, .obj, .stl, .xyz, .pts, .txt and .csv.
 
 // Returns {points, triangles, radii}: flat typed arrays. There are no triangles if the file has points only, and polygons
-// become fans. Radii are null unless the file has one for each point: a fourth and last column, or PLY's property "radius".
+// become fans. Radii are null unless the file has one for each point: the fourth and last column of .xyz, .txt or .csv, a
+// column of that name, or PLY's property "radius".
 export function readSurface(name, bytes) {
   const ending = name.toLowerCase().match(/\.[a-z]+$/)?.[0];
   const reader = readers[ending];
@@ -71,7 +72,8 @@ class Reading {
 
 const inShort = (word) => (String(word).length > 20 ? `${String(word).slice(0, 20)}…` : word);
 
-const textOf = (bytes) => new TextDecoder("latin1").decode(bytes); // one letter for each byte
+// One letter for each byte, without the mark of UTF-8.
+const textOf = (bytes) => new TextDecoder("latin1").decode(bytes).replace(/^\u00ef\u00bb\u00bf/, "");
 
 // The words of each line that has some. The file is told the line's number.
 function* rows(file, text, comment = "#", separator = /\s+/) {
@@ -80,7 +82,7 @@ function* rows(file, text, comment = "#", separator = /\s+/) {
     while (to < text.length && text[to] !== "\n" && text[to] !== "\r")
       ++to;
     ++file.line;
-    const row = text.slice(from, to).split(comment, 1)[0].trim();
+    const row = text.slice(from, to).split(comment, 1)[0].trim().replace(/\s*[,;]+$/, "");
     from = text[to] === "\r" && text[to + 1] === "\n" ? to + 2 : to + 1;
     if (row !== "")
       yield row.split(separator);
@@ -95,23 +97,43 @@ function nextRow(file, iterator, what) {
 
 // --- Points alone ---
 
-function readColumns(file, text, separator) {
-  let width = 0, isFirst = true;
-  for (const words of rows(file, text, "#", separator)) {
-    const isCount = isFirst && words.length === 1;               // as .pts files have it
-    const isHeader = isFirst && words.every((word) => /^["a-z_]/i.test(word)); // names of columns
+const isName = (word) => /^(?:\/\/)?["a-z_]/i.test(word) && !/^(?:nan|inf)/i.test(word);
+
+// Where the coordinates and the radius stand, by the names of columns.
+function columnsOf(names) {
+  const plain = names.map((name) => name.replace(/["/]/g, "").toLowerCase());
+  const columns = ["x", "y", "z"].map((name) => plain.indexOf(name)), radius = plain.findIndex((name) => name === "radius" || name === "r");
+  return columns.includes(-1) ? {columns: [0, 1, 2], radius: -1} : {columns, radius};
+}
+
+function readColumns(file, text, mayHaveRadii, separator) {
+  let width = 0, at, isFirst = true, isTitle = false;
+  for (let words of rows(file, text, "#", separator)) {
+    const isCount = isFirst && words.length === 1; // as in .pts files, and in chemists' .xyz files, where a title follows
+    const isHeader = (isFirst && words.every(isName)) || (isTitle && words.some((word) => word === "" || Number.isNaN(Number(word))));
     isFirst = false;
+    if (isHeader && !isTitle)
+      at = columnsOf(words);
+    isTitle = isCount;
     if (isCount || isHeader)
       continue;
+    if (words.length === 4 && /^[A-Z][a-z]?$/.test(words[0])) // an element
+      words = words.slice(1);
     if (words.length < 3)
       file.refuse("expected three numbers");
     width ||= words.length;
     if (words.length !== width)
       file.refuse(`expected ${width} numbers, as in the lines before`);
-    file.addPoint(words);
-    if (width === 4)
-      file.radii.push(file.number(words[3]));
+    at ??= {columns: [0, 1, 2], radius: mayHaveRadii && width === 4 ? 3 : -1};
+    file.addPoint(at.columns.map((k) => words[k]));
+    if (at.radius >= 0)
+      file.radii.push(file.number(words[at.radius]));
   }
+}
+
+// With semicolons, commas may be decimal ones, which are refused.
+function readCsv(file, text) {
+  readColumns(file, text, true, text.includes(";") ? /\s*;\s*/ : /\s*,\s*|\s+/);
 }
 
 // --- OFF ---
@@ -119,8 +141,8 @@ function readColumns(file, text, separator) {
 function readOff(file, text) {
   const iterator = rows(file, text);
   let words = nextRow(file, iterator, "the word OFF");
-  const kind = words.shift();
-  if (!/^(ST)?C?N?OFF$/.test(kind))
+  const kind = /^\d/.test(words[0]) ? "OFF" : words.shift(); // which may be missing
+  if (!/^(ST)?C?N?OFF$/i.test(kind))
     file.refuse(`expected OFF, not '${inShort(kind)}'`);
   if (words[0]?.toUpperCase() === "BINARY")
     file.refuse("binary OFF is not read: write it as text, or as PLY");
@@ -140,13 +162,14 @@ function readOff(file, text) {
 // --- OBJ ---
 
 function readObj(file, text) {
-  for (const [what, ...words] of rows(file, text.replace(/\\\r?\n/g, " ")))
+  for (const [what, ...words] of rows(file, text.replace(/^([^#\r\n]*)\\\r?\n/gm, "$1 ")))
     if (what === "v")
       file.addPoint(words);
     else if (what === "f")
       file.addPolygon(words.map((word) => {
         const i = file.index(word.split("/", 1)[0]);
-        return i > 0 ? i - 1 : i < 0 ? file.points.length / 3 + i : file.refuse("corners count from 1");
+        const from = i > 0 ? i - 1 : file.points.length / 3 + i;
+        return i !== 0 && from >= 0 ? from : file.refuse(i === 0 ? "corners count from 1" : `there is no point ${i}`);
       }));
 }
 
@@ -163,7 +186,8 @@ function readStl(file, bytes) {
     return i;
   };
   const n = bytes.length >= 84 ? data.getUint32(80, true) : -1;
-  if (bytes.length === 84 + 50 * n || !/^\s*solid/.test(textOf(bytes.subarray(0, 80)))) {
+  const isText = /^\s*solid/i.test(textOf(bytes.subarray(0, 80))) && /facet|endsolid/i.test(textOf(bytes.subarray(0, 2000)));
+  if (bytes.length === 84 + 50 * n || !isText) {
     if (n < 0 || bytes.length < 84 + 50 * n)
       file.refuse(n < 0 ? "it is no STL file" : `the file ends before triangle ${Math.floor((bytes.length - 84) / 50)} of ${n}`);
     for (let i = 0; i < n; ++i)
@@ -179,6 +203,8 @@ function readStl(file, bytes) {
       file.addPolygon(corners);
       corners = [];
     }
+  if (corners.length > 0)
+    file.refuse("the file ends within a facet");
 }
 
 // --- PLY ---
@@ -190,12 +216,12 @@ Object.assign(plyTypes, {int8: plyTypes.char, uint8: plyTypes.uchar, int16: plyT
 
 // The format, the elements with their properties, and where the header ends.
 function plyHeader(file, bytes) {
-  const text = textOf(bytes.subarray(0, 1 << 16)), end = /^end_header[ \t]*(\r\n|\n|\r)/m.exec(text);
+  const text = textOf(bytes.subarray(0, 1 << 20)), end = /^end_header[ \t]*(\r\n|\n|\r)/m.exec(text);
   if (!/^ply\s/.test(text) || !end)
     file.refuse(end ? "expected ply" : "there is no end_header");
   const elements = [];
   let format;
-  for (const [what, ...words] of rows(file, text.slice(0, end.index), "comment")) {
+  for (const [what, ...words] of rows(file, text.slice(0, end.index), "\n")) {
     if (what === "format")
       format = words[0];
     else if (what === "element")
@@ -249,6 +275,8 @@ function readPly(file, bytes) {
         file.addPoint([values.x, values.y, values.z]);
         if ("radius" in values)
           file.radii.push(file.number(values.radius));
+      } else if (name === "tristrips") {
+        file.refuse("strips of triangles are not read: write triangles");
       } else if (name === "face") {
         file.addPolygon((values.vertex_indices ?? values.vertex_index ?? []).map((i) => file.index(i)));
       }
@@ -258,5 +286,4 @@ function readPly(file, bytes) {
 const asText = (reader, ...more) => (file, bytes) => reader(file, textOf(bytes), ...more);
 
 const readers = {__proto__: null, ".off": asText(readOff), ".ply": readPly, ".obj": asText(readObj), ".stl": readStl,
-  ".xyz": asText(readColumns), ".pts": asText(readColumns), ".txt": asText(readColumns),
-  ".csv": asText(readColumns, /\s*[,;]\s*|\s+/)};
+  ".xyz": asText(readColumns, true), ".pts": asText(readColumns, false), ".txt": asText(readColumns, true), ".csv": asText(readCsv)};

@@ -35,6 +35,8 @@ def main():
     everywhere = dfs.LinearInterpolator(triangulation, function(points), outside="nearest")(xi)
     print(f"with the nearest vertex outside, everywhere: {abs(everywhere - function(xi)).mean():.4f}")
     if len(sys.argv) > 1:
+        if not sys.argv[1].endswith((".png", ".svg", ".pdf")):
+            sys.exit(f"{sys.argv[1]}: expected the name of a picture, such as picture.png")
         import matplotlib
         matplotlib.use("Agg")
         import matplotlib.pyplot as plt

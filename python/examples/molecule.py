@@ -4,9 +4,9 @@
 
 """The alpha shape of a cloud, and the weighted one of a molecule.
 
-    python molecule.py [balls.txt]
+    python molecule.py [balls.txt | cloud.xyz]
 
-The file has x, y, z and a radius in each line; without it, the balls are those of a chain in a box. With alpha 0 the weighted
+The file has x, y, z and a radius in each line, or no radius: then there are no balls. Without it, they are those of a chain in a box. With alpha 0 the weighted
 alpha complex is dual to the union of the balls: a ball, pair or triple is in it if it has a common place that is in no other
 power cell. So the complex says which balls meet, and which are buried: all tetrahedra around these are in it.
 """
@@ -39,8 +39,8 @@ def boundary(triangulation, complex_):
 if __name__ == "__main__":
     centers, radii = chain(5000, np.random.default_rng(1))
     if len(sys.argv) > 1:
-        centers, radii = np.split(np.loadtxt(sys.argv[1]), [3], axis=1)
-        radii = radii[:, 0]
+        numbers = np.loadtxt(sys.argv[1])
+        centers, radii = numbers[:, :3], numbers[:, 3:].ravel()
 
     # [cloud]
     cloud = dfs.delaunay3(centers, threads=None)
@@ -50,6 +50,10 @@ if __name__ == "__main__":
         print(f"alpha {radius}: {len(shape.simplices)} tetrahedra, {len(skin)} triangles on the boundary")
     # [cloud]
 
+    if len(radii) != len(centers):
+        print("There are no radii, so there are no balls")
+        sys.exit()
+
     # [balls]
     balls = dfs.delaunay3(centers, weights=radii ** 2, threads=None)
     dual = balls.alpha_complex(0)
@@ -58,4 +62,4 @@ if __name__ == "__main__":
     buried = np.setdiff1d(np.flatnonzero((around > 0) & (around == filled)), balls.convex_hull)
     # [balls]
     print(f"{len(centers)} balls: {len(dual.vertices) - len(buried)} at the surface, {len(buried)} inside, "
-          f"{len(balls.hidden)} hidden by others; {len(dual.edges)} pairs and {len(dual.triangles)} triples meet")
+          f"{len(centers) - len(dual.vertices)} covered by others; {len(dual.edges)} pairs and {len(dual.triangles)} triples meet")

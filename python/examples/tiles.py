@@ -4,10 +4,10 @@
 
 """More points than fit into memory: the triangulation tile by tile, on one machine or by Dask.
 
-    python tiles.py [cloud.npy folder [address of a Dask scheduler]]
+    python tiles.py [cloud.npy folder [memory [address of a Dask scheduler]]]
 
 The file has an array of shape (n, 3). Of each tile the volume of its tetrahedra is added, and their sum is that of the convex hull.
-Without a file, there are 200,000 points in a cube, in a folder that is removed. A scheduler's workers must see the folder,
+Without a file, there are 200,000 points in a cube, in a folder that is removed. Memory is such as 4G, the default. A scheduler's workers must see the folder,
 too; "local" starts them here.
 """
 
@@ -35,20 +35,22 @@ def main(cloud, folder, memory="4G"):
     print(f"{number} tetrahedra of volume {total:.6f} in {len(tiles)} tiles in {folder}")
 
 
-def main_by_dask(cloud, folder, address):
+def main_by_dask(cloud, folder, memory, address):
     # [dask]
     import distributed
     client = distributed.Client() if address == "local" else distributed.Client(address)
-    tiles = dfs.delaunay3_dask(cloud, client, folder, memory="4G")  # for each tile
+    tiles = dfs.delaunay3_dask(cloud, client, folder, memory=memory)  # for each tile
     print(f"{len(tiles.cells())} tetrahedra in {len(tiles)} tiles in {folder}")
     # [dask]
 
 
 if __name__ == "__main__":
-    if len(sys.argv) > 3:
-        main_by_dask(*sys.argv[1:4])
-    elif len(sys.argv) > 2:
-        main(*sys.argv[1:3])
+    if len(sys.argv) == 5:
+        main_by_dask(*sys.argv[1:])
+    elif len(sys.argv) in (3, 4):
+        main(*sys.argv[1:])
+    elif len(sys.argv) > 1:
+        sys.exit(__doc__)
     else:
         with tempfile.TemporaryDirectory() as folder:
             np.save(f"{folder}/cloud.npy", np.random.default_rng(1).random((200000, 3)))

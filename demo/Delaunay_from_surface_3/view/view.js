@@ -259,7 +259,7 @@ function fitWindow() {
 }
 
 function drawSoon() {
-  if (isDrawn)
+  if (isDrawn && renderer)
     isDrawn = false, requestAnimationFrame(draw);
 }
 

@@ -8,6 +8,7 @@
 "use strict";
 const weights = read("weights", Float32Array); // of each point, a squared radius; none without weights
 const sites = read("sites", Uint32Array);      // in a periodic box, for each point: of which it is an image; else none
+const moves = read("moves", Int32Array);       // and by how many periods along each axis
 
 const siteOf = (i) => (sites.length > 0 ? sites[i] : i);
 
@@ -16,7 +17,9 @@ const isVertex = new Uint8Array(points.length / 3);
 for (const array of [tetrahedra, hull, triangles])
   array.forEach((i) => { isVertex[siteOf(i)] = 1; });
 
-const isSame = (i, j) => siteOf(i) === siteOf(j);
+
+// Tells neighbours q of p apart: by number, and in a box by where its images are.
+const keyOf = (p, q) => (sites.length > 0 ? [siteOf(q), ...[0, 1, 2].map((k) => moves[3 * q + k] - moves[3 * p + k])].join() : q);
 
 // The half-spaces x · n <= d of the neighbours, where x goes out from the point, and so does n to the neighbour. In a
 // box tetrahedra stand for their images: those of all images of the point are moved to it.
@@ -25,14 +28,15 @@ function halfSpaces(i) {
   for (let t = 0; t < tetrahedra.length; t += 4)
     for (let k = t; k < t + 4; ++k) {
       const p = tetrahedra[k];
-      if (!isSame(p, i))
+      if (siteOf(p) !== siteOf(i))
         continue;
       for (let l = t; l < t + 4; ++l) {
+        if (l === k)
+          continue;
         const q = tetrahedra[l], n = [0, 1, 2].map((c) => points[3 * q + c] - points[3 * p + c]);
         const square = n[0] ** 2 + n[1] ** 2 + n[2] ** 2;
         const d = (square + (weights.length > 0 ? weights[p] - weights[q] : 0)) / 2;
-        if (square > 0)
-          found.set(`${siteOf(q)} ${n.map((x) => x.toFixed(4))}`, {n, d});
+        found.set(keyOf(p, q), {n, d});
       }
     }
   return [...found.values()];
@@ -73,9 +77,9 @@ function clipPolyhedron(faces, halfSpace) {
   return cut.length > 2 && left.length > 0 ? [...left, inOrder(cut, halfSpace.n)] : left;
 }
 
-// The box in which cells are shown, half as long again as that of all points, from a point.
+// The box in which cells are shown, from a point: half as long again as that of all points, or around an image of one.
 function boxAround(i) {
-  const low = [0, 1, 2].map((k) => -1.5 - points[3 * i + k]), high = low.map((x) => x + 3);
+  const low = [0, 1, 2].map((k) => (sites.length > 0 ? -3 : -1.5 - points[3 * i + k])), high = low.map((x) => x + (sites.length > 0 ? 6 : 3));
   const corner = (bits) => [0, 1, 2].map((k) => (bits >> k & 1 ? high : low)[k]);
   return [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]].map((face) => face.map(corner));
 }
