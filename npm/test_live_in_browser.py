@@ -263,19 +263,23 @@ class LiveInBrowser(ProgramCase):
     def test_stop(self):
         """What is stopped says so, and leaves the page as it was."""
         step = self.use("""async () => {
-  drop("large.xyz", Array.from({length: 300000}, (_, i) => `${i * 0.618 % 1} ${i * 0.414 % 1} ${i * 0.732 % 1}`).join("\\n"));
+  const points = Float32Array.from({length: 3000000}, (_, i) => i * [0.618, 0.414, 0.732][i % 3] % 1);
+  const header = `ply\\nformat binary_little_endian 1.0\\nelement vertex 1000000\\n${["x", "y", "z"].map((name) =>
+    `property float ${name}\\n`).join("")}end_header\\n`;
+  const large = new Blob([header, points]);
+  drop("large.ply", large);
   element("stop").click(); // while it is read
   await wait(300);
   await look("stopped at once");
-  drop("large.xyz", Array.from({length: 300000}, (_, i) => `${i * 0.618 % 1} ${i * 0.414 % 1} ${i * 0.732 % 1}`).join("\\n"));
+  drop("large.ply", large);
   await until(() => element("share").value > 0);
   element("stop").click();
   await look("stopped");
   element("cloud").click();
   await look("cloud");
 }""")
-        self.assertEqual(step["stopped at once"]["problem"], "large.xyz: stopped")
-        self.assertEqual((step["stopped"]["problem"], step["cloud"]["title"]), ("large.xyz: stopped", "cloud.xyz"))
+        self.assertEqual(step["stopped at once"]["problem"], "large.ply: stopped")
+        self.assertEqual((step["stopped"]["problem"], step["cloud"]["title"]), ("large.ply: stopped", "cloud.xyz"))
 
 
 if __name__ == "__main__":

@@ -38,6 +38,7 @@ SHOWS = {  # in the table of the benchmark's README
     "calls_256k": "single calls: time, user and system time, page faults, peak; `before`: the revision before points alone had "
                   "spaced rounds",
     "calls_1M": "the same for a million points",
+    "calls_sizes": "the same for one surface in three sizes",
     "single_calls": "the same for small meshes, also after a rest, in which the host takes memory back",
     "demo_meshes": "the 143 meshes of `libcgal-demo`, one by one",
     "small_meshes": "instructions for those of less than 3,000 vertices",
@@ -139,7 +140,7 @@ def list_of_results(*reports):
 
 
 TABLES = [  # page, marker, names of results, and the function that makes the text of them
-    (README, "times", ["calls_256k"], speed_tables.times_of_readme),
+    (README, "times", ["calls_256k", "calls_sizes"], speed_tables.times_of_readme),
     (README, "peers", ["compare_peers"], speed_tables.peers_of_readme),
     (README, "control", ["control_64k", "control_256k"], paper_tables.control_of_readme),
     (README, "python", ["python"], use_tables.python_of_readme),
@@ -156,7 +157,7 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (HOW_FAST, "two_threads", ["calls_256k", "threads_256k"], speed_tables.two_threads),
     (HOW_FAST, "more_threads", ["threads_simulated"], speed_tables.more_threads),
     (HOW_FAST, "sixteen_cores", ["threads_16_cores"], speed_tables.sixteen_cores),
-    (HOW_FAST, "sizes", ["small_meshes", "demo_meshes", "threads_64k", "calls_256k", "calls_1M", "threads_4M"],
+    (HOW_FAST, "sizes", ["small_meshes", "demo_meshes", "threads_64k", "calls_256k", "calls_1M", "calls_sizes"],
      speed_tables.sizes),
     (HOW_FAST, "collections", ["orders", "orders_200k", "demo_meshes"], speed_tables.collections),
     (HOW_FAST, "gains", ["compare_64k"], speed_tables.gains),
