@@ -272,8 +272,13 @@ class LiveInBrowser(ProgramCase):
   await wait(300);
   await look("stopped at once");
   drop("large.ply", large);
-  await until(() => element("share").value > 0);
-  element("stop").click();
+  await new Promise((resolve) => new MutationObserver((_, observer) => {
+    if (element("share").value === 0)
+      return;
+    observer.disconnect();
+    element("stop").click(); // as soon as there is progress
+    resolve();
+  }).observe(element("share"), {attributes: true}));
   await look("stopped");
   element("cloud").click();
   await look("cloud");

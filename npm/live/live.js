@@ -106,7 +106,10 @@ function run() {
   const settings = {gap: $("is-box").checked ? Number($("gap").value) : undefined,
     growth: $("has-weights").checked ? Number($("growth").value) : undefined};
   worker = new Worker(workerAddress);
+  const mine = turn;
   worker.onmessage = ({data: {share, result, problem}}) => {
+    if (mine !== turn) // what was on its way comes too late
+      return;
     if (result)
       finish(result);
     else if (problem !== undefined)
