@@ -1513,7 +1513,7 @@ class Examples(unittest.TestCase):
                            ("power_diagram", "add up to 1.000000000"),
                            ("surface", "5000 points, 5000 of them in 10000 triangles; the volume within is 39.2"),
                            ("inside", "tetrahedra are inside; their volume is 25.0727, and that of the surface 25.0727"),
-                           ("molecule", "5000 balls: 1520 at the surface, 3071 inside, 405 hidden by others"),
+                           ("molecule", "5000 balls: 1520 at the surface, 3071 inside, 409 covered by others"),
                            ("tiles", "tetrahedra of volume 0.999037 in "),
                            ("transport", "2000 cells have the volumes that were asked for, to 1e-10, after")):
             done = subprocess.run([sys.executable, Path(__file__).with_name("examples") / f"{name}.py"],

@@ -164,7 +164,7 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
     if inside:
         faces = _core.read_alike(faces, "faces")
         if weights is not None:
-            raise ValueError("inside: not available for points with weights, which may hide vertices of the faces")
+            raise ValueError("inside: the points have weights, which may hide vertices of the faces")
         if faces is None:
             raise ValueError("inside: there are no faces")
         if not isinstance(faces, np.ndarray):
