@@ -65,6 +65,7 @@ def text_stl():
 GOOD = {
     "A.off": f"off\n5 5 0\n{rows(POINTS)}{counted(FACES)}".encode(), "B.off": f"5 5 0\n{rows(POINTS)}{counted(FACES)}".encode(),
     "C.obj": f"# C:\\models\\\n{rows(('v', *p) for p in POINTS)}{rows(('f', *(v + 1 for v in f)) for f in FACES)}".encode(),
+    "D.ply": b"\xef\xbb\xbf" + ply("binary_little_endian"),
     "a.off": f"# a comment\nOFF\n\n5 5 0\n{rows(POINTS)}{counted(FACES)}".encode(),
     "b.OFF": f"COFF 5 5 0 # counts\r\n{rows((*p, 255, 0, 0, 255) for p in POINTS)}{counted(FACES)}".replace("\n", "\r\n").encode(),
     "c.obj": (f"mtllib x\n{rows(('v', *p) for p in POINTS)}vt 0 0\nf 4 3 2 \\\n 1\nf 1/1/1 2/1 5//1\nf -4 -3 -1\n" +
@@ -97,6 +98,8 @@ BROKEN = {
     "v3.obj": (b"v 0 0 0\nf -1 -2 1\n", "v3.obj, line 2: there is no point -2"),
     "v4.csv": (b"1,5;2,5;3,5\n", "v4.csv, line 1: '1,5' is not a finite number"),
     "v5.xyz": (b"nan nan nan\n1 2 3\n", "v5.xyz, line 1: 'nan' is not a finite number"),
+    "v6.csv": (b"id,east,north,up\n1,2,3,4\n", "v6.csv, line 1: no columns are named x, y and z"),
+    "v7.pts": (b"3\n0 0 0\n1 0 0\n", "v7.pts, line 3: the first line announces 3 points, and there are 2"),
     "w.xyz": (b"1,5 2,5 3,5\n", "w.xyz, line 1: '1,5' is not a finite number"),
     "x.xyz": (b"0 0 0 1\n0 0 1 1\n0 0 2\n", "x.xyz, line 3: expected 4 numbers, as in the lines before"),
     "y.xyz": (b"1 2 inf\n", "y.xyz, line 1: 'inf' is not a finite number"),

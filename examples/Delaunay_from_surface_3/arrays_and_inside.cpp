@@ -13,12 +13,15 @@
 #include <CGAL/IO/polygon_soup_io.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
@@ -47,6 +50,11 @@ int main(int argc, char* argv[])
   std::vector<std::vector<std::size_t>> faces;
   if (!CGAL::IO::read_polygon_soup(file_name, points, faces)) {
     std::cerr << "Cannot read " << file_name << '\n';
+    return EXIT_FAILURE;
+  }
+  std::error_code error_code; // if there is no such output yet
+  if (argc > 2 && std::filesystem::equivalent(file_name, argv[2], error_code)) {
+    std::cerr << argv[2] << " is the input: name another file\n";
     return EXIT_FAILURE;
   }
 
@@ -85,8 +93,8 @@ int main(int argc, char* argv[])
         enclosed +=
             CGAL::volume(points.front(), points[face[0]], points[face[k - 1]], points[face[k]]);
     std::cout << arrays.number_of_simplices() << " tetrahedra; those inside have volume " << volume
-              << " and " << skin << " facets to the outside; the surface encloses " << enclosed
-              << '\n';
+              << " and " << skin << " facets to the outside; the surface encloses "
+              << std::abs(enclosed) << '\n';
     if (inside.crossed_volume > 0.1)
       std::cerr
           << int(100 * inside.crossed_volume)

@@ -22,9 +22,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -52,6 +54,11 @@ int main(int argc, char* argv[])
   std::vector<Point> points;
   if (!CGAL::IO::read_points(file_name, std::back_inserter(points))) {
     std::cerr << "Cannot read " << file_name << '\n';
+    return EXIT_FAILURE;
+  }
+  std::error_code error_code; // if there is no such output yet
+  if (argc > 2 && std::filesystem::equivalent(file_name, argv[2], error_code)) {
+    std::cerr << argv[2] << " is the input: name another file\n";
     return EXIT_FAILURE;
   }
 

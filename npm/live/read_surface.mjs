@@ -14,7 +14,8 @@ export function readSurface(name, bytes) {
     throw new Error(`${name}: expected a file whose name ends in ${Object.keys(readers).join(", ")}`);
   const file = new Reading(name);
   try {
-    reader(file, bytes);
+    const hasMark = bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf; // of UTF-8
+    reader(file, hasMark ? bytes.subarray(3) : bytes);
   } catch (error) {
     throw error instanceof RangeError ? new Error(`${name}: it is too large for a browser, or ends too early`) : error;
   }
@@ -72,8 +73,7 @@ class Reading {
 
 const inShort = (word) => (String(word).length > 20 ? `${String(word).slice(0, 20)}…` : word);
 
-// One letter for each byte, without the mark of UTF-8.
-const textOf = (bytes) => new TextDecoder("latin1").decode(bytes).replace(/^\u00ef\u00bb\u00bf/, "");
+const textOf = (bytes) => new TextDecoder("latin1").decode(bytes); // one letter for each byte
 
 // The words of each line that has some. The file is told the line's number.
 function* rows(file, text, comment = "#", separator = /\s+/) {
@@ -103,17 +103,19 @@ const isName = (word) => /^(?:\/\/)?["a-z_]/i.test(word) && !/^(?:nan|inf)/i.tes
 function columnsOf(names) {
   const plain = names.map((name) => name.replace(/["/]/g, "").toLowerCase());
   const columns = ["x", "y", "z"].map((name) => plain.indexOf(name)), radius = plain.findIndex((name) => name === "radius" || name === "r");
-  return columns.includes(-1) ? {columns: [0, 1, 2], radius: -1} : {columns, radius};
+  return !columns.includes(-1) ? {columns, radius} : names.length === 3 ? {columns: [0, 1, 2], radius: -1} : undefined;
 }
 
 function readColumns(file, text, mayHaveRadii, separator) {
-  let width = 0, at, isFirst = true, isTitle = false;
+  let width = 0, at, announced, isFirst = true, isTitle = false;
   for (let words of rows(file, text, "#", separator)) {
     const isCount = isFirst && words.length === 1; // as in .pts files, and in chemists' .xyz files, where a title follows
     const isHeader = (isFirst && words.every(isName)) || (isTitle && words.some((word) => word === "" || Number.isNaN(Number(word))));
     isFirst = false;
     if (isHeader && !isTitle)
-      at = columnsOf(words);
+      at = columnsOf(words) ?? file.refuse("no columns are named x, y and z");
+    if (isCount)
+      announced = file.count(words[0], "points");
     isTitle = isCount;
     if (isCount || isHeader)
       continue;
@@ -129,6 +131,9 @@ function readColumns(file, text, mayHaveRadii, separator) {
     if (at.radius >= 0)
       file.radii.push(file.number(words[at.radius]));
   }
+  const n = file.points.length / 3;
+  if (announced !== undefined && announced !== n)
+    file.refuse(`the first line announces ${announced} points, and there are ${n}`);
 }
 
 // With semicolons, commas may be decimal ones, which are refused.

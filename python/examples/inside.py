@@ -10,6 +10,7 @@ The mesh may have gaps: winding numbers decide. It is a text in the format OFF, 
 other formats. Without a file, it is the hull of points on an ellipsoid.
 """
 
+import os
 import sys
 
 import numpy as np
@@ -44,6 +45,8 @@ if __name__ == "__main__":
         points = np.random.default_rng(1).normal(size=(5000, 3))
         points *= [3, 2, 1] / np.linalg.norm(points, axis=1, keepdims=True)
         faces = dfs.delaunay3(points).convex_hull
+    if len(sys.argv) > 2 and os.path.exists(sys.argv[2]) and os.path.samefile(*sys.argv[1:3]):
+        sys.exit(f"{sys.argv[2]} is the input: name another file")
     # [inside]
     triangulation = dfs.delaunay3(points, faces, inside=True, threads=None)
     tetrahedra = triangulation.simplices[triangulation.inside]

@@ -12,6 +12,7 @@ hull. Power crusts are labelled in a similar way (Amenta, Choi, Kolluri 2001). W
 Needs SciPy.
 """
 
+import os
 import sys
 
 import numpy as np
@@ -61,6 +62,8 @@ if __name__ == "__main__":
     u, v = 2 * np.pi * np.random.default_rng(1).random((2, 5000))
     torus = np.stack([(2 + np.cos(v)) * np.cos(u), (2 + np.cos(v)) * np.sin(u), np.sin(v)], axis=1)
     points = np.loadtxt(sys.argv[1], usecols=(0, 1, 2)) if len(sys.argv) > 1 else torus
+    if len(sys.argv) > 2 and os.path.exists(sys.argv[2]) and os.path.samefile(*sys.argv[1:3]):
+        sys.exit(f"{sys.argv[2]} is the input: name another file")
     triangles = surface(points)
     a, b, c = points[triangles].transpose(1, 0, 2)
     print(f"{len(points)} points, {len(np.unique(triangles))} of them in {len(triangles)} triangles; "

@@ -17,7 +17,6 @@ const isVertex = new Uint8Array(points.length / 3);
 for (const array of [tetrahedra, hull, triangles])
   array.forEach((i) => { isVertex[siteOf(i)] = 1; });
 
-
 // Tells neighbours q of p apart: by number, and in a box by where its images are.
 const keyOf = (p, q) => (sites.length > 0 ? [siteOf(q), ...[0, 1, 2].map((k) => moves[3 * q + k] - moves[3 * p + k])].join() : q);
 
