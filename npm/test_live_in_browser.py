@@ -215,6 +215,7 @@ class LiveInBrowser(ProgramCase):
         self.assertEqual((seen["chain"]["sites"], seen["chain"]["weights"]), (0, 0))
         self.assertGreater(seen["box"]["sites"], 300)
         self.assertAlmostEqual(seen["box"]["fraction"], 1, places=4)
+        self.assertAlmostEqual(seen["box and weights"]["fraction"], 1, places=4)
         self.assertEqual(seen["box and weights"]["weights"], seen["box and weights"]["sites"])
         self.assertEqual((seen["weights"]["sites"], seen["weights"]["weights"]), (0, 300))
 

@@ -62,7 +62,7 @@ function viewOf(surface, triangulation, weights, box) {
   };
   if (box) {
     const {places, sites, moves, tetrahedra} = imagesOf(triangulation, surface.points, box);
-    return {points: centered(places), sites, moves, tetrahedra, ...scaled(weights && sites.map((site) => weights[site]))};
+    return {points: centered(places), sites, moves, tetrahedra, ...scaled(weights && Float64Array.from(sites, (site) => weights[site]))};
   }
   const {simplices, vertexOfPoint, hull, dimension} = triangulation;
   const view = {points: centered(surface.points), tetrahedra: Uint32Array.from(dimension === 3 ? simplices : []), ...scaled(weights)};
