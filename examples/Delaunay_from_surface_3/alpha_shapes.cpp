@@ -25,11 +25,14 @@
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -63,9 +66,25 @@ std::set<std::array<Point, 3>> boundary(const Shape& shape)
   return facets;
 }
 
-// Makes the shape both ways, and compares.
+// Writes the triangles to an OFF file.
+void write_off(const std::set<std::array<Point, 3>>& facets, const std::string& file_name)
+{
+  std::ofstream out(file_name);
+  out.precision(17);
+  out << "OFF\n" << 3 * facets.size() << ' ' << facets.size() << " 0\n";
+  for (const std::array<Point, 3>& facet : facets)
+    for (const Point& p : facet)
+      out << p << '\n';
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    out << "3 " << 3 * f << ' ' << 3 * f + 1 << ' ' << 3 * f + 2 << '\n';
+  if (!out.flush())
+    throw std::runtime_error("cannot write " + file_name);
+}
+
+// Makes the shape both ways, and compares. Writes its facets, if there is a name for the file.
 template <class Triangulation, class Shape>
-bool is_same_shape(const std::vector<Point>& points, double alpha, const std::string& name)
+bool is_same_shape(const std::vector<Point>& points, double alpha, const std::string& name,
+                   const std::string& output = "")
 {
   CGAL::Timer ours, plain;
   ours.start();
@@ -83,6 +102,8 @@ bool is_same_shape(const std::vector<Point>& points, double alpha, const std::st
   const auto facets = boundary(shape);
   std::cout << name << ": " << facets.size() << " facets in " << ours.time()
             << " s; plain CGAL: " << plain.time() << " s\n";
+  if (!output.empty())
+    write_off(facets, output);
   return facets == boundary(plain_shape);
 }
 
@@ -90,6 +111,12 @@ int main(int argc, char* argv[])
 {
   const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
   const double alpha = argc > 2 ? std::atof(argv[2]) : 0.05; // the square of a radius
+  const std::string output = argc > 3 ? argv[3] : "";
+  std::error_code none; // the files differ if either is missing
+  if (!output.empty() && std::filesystem::equivalent(file_name, output, none)) {
+    std::cerr << output << " is the input: name another file\n";
+    return EXIT_FAILURE;
+  }
   std::vector<Point> points;
   if (!CGAL::IO::read_points(file_name, std::back_inserter(points))) {
     std::cerr << "Cannot read " << file_name << '\n';
@@ -97,7 +124,7 @@ int main(int argc, char* argv[])
   }
   try {
     const bool is_same =
-        is_same_shape<Fixed_triangulation, Fixed_alpha_shape>(points, alpha, "one alpha") &&
+        is_same_shape<Fixed_triangulation, Fixed_alpha_shape>(points, alpha, "one alpha", output) &&
         is_same_shape<General_triangulation, Alpha_shape>(points, alpha, "all alphas");
     return is_same ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception& error) {

@@ -4,13 +4,15 @@
 
 """The alpha shape of a cloud, and the weighted one of a molecule.
 
-    python molecule.py [balls.txt | cloud.xyz]
+    python molecule.py [balls.txt | cloud.xyz [shape.off]]
 
 The file has x, y, z and a radius in each line, or no radius: then there are no balls. Without it, they are those of a chain in a box. With alpha 0 the weighted
 alpha complex is dual to the union of the balls: a ball, pair or triple is in it if it has a common place that is in no other
 power cell. So the complex says which balls meet, and which are buried: all tetrahedra around these are in it.
+The boundary of the last alpha shape is written to shape.off.
 """
 
+import os
 import sys
 
 import numpy as np
@@ -36,11 +38,20 @@ def boundary(triangulation, complex_):
     return both[counts < 3]
 
 
+def write_off(name, points, triangles):
+    with open(name, "w", encoding="ascii") as file:
+        file.write(f"OFF\n{len(points)} {len(triangles)} 0\n")
+        np.savetxt(file, points, "%.17g")
+        np.savetxt(file, np.insert(triangles, 0, 3, axis=1), "%d")
+
+
 if __name__ == "__main__":
     centers, radii = chain(5000, np.random.default_rng(1))
     if len(sys.argv) > 1:
         numbers = np.loadtxt(sys.argv[1])
         centers, radii = numbers[:, :3], numbers[:, 3:].ravel()
+    if len(sys.argv) > 2 and os.path.exists(sys.argv[2]) and os.path.samefile(*sys.argv[1:3]):
+        sys.exit(f"{sys.argv[2]} is the input: name another file")
 
     # [cloud]
     cloud = dfs.delaunay3(centers, threads=None)
@@ -49,6 +60,8 @@ if __name__ == "__main__":
         skin = boundary(cloud, shape)
         print(f"alpha {radius}: {len(shape.simplices)} tetrahedra, {len(skin)} triangles on the boundary")
     # [cloud]
+    if len(sys.argv) > 2:
+        write_off(sys.argv[2], centers, skin)
 
     if len(radii) != len(centers):
         print("There are no radii, so there are no balls")
