@@ -15,7 +15,7 @@
 
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED)
 
-#include <tmmintrin.h> // not <immintrin.h>, which takes g++ 12 a hundred megabytes more
+#include <smmintrin.h> // not <immintrin.h>, which takes g++ 12 a hundred megabytes more
 
 #include <type_traits>
 

@@ -142,14 +142,6 @@ private:
 // Branches could not be predicted, so there are none: each neighbour and facet is written behind
 // the end, and the end moves on or not.
 
-// Points to where the next cell in conflict and the next facet of the boundary are written. There
-// is room for four more of either.
-struct Zone_ends
-{
-  Id* cell;
-  Zone_facet* facet;
-};
-
 // Has a bit for each neighbour of a cell in conflict.
 struct Neighborhood
 {
@@ -210,21 +202,24 @@ struct Explore_neighbors : Explore_alone
     return neighborhood(open, filtered, signs);
   }
 
-  // Writes down the neighbours in conflict, which become dead, and the facets of the boundary.
-  static Zone_ends note(Compact_cell* cells, const Compact_cell& cell, const Neighborhood& around,
-                        Zone_ends ends)
+  // Appends the neighbours in conflict, which become dead, and the facets of the boundary. There is
+  // room for four more of either.
+  static void note(Compact_cell* cells, const Compact_cell& cell, const Neighborhood& around,
+                   Conflict_zone& zone)
   {
+    Id* next = zone.cells.data() + zone.number_of_cells;
+    Zone_facet* facet = zone.facets.data() + zone.number_of_facets;
     const Id v[4] = {Compact_numbers::first_vertex(cell), cell.v[1], cell.v[2], cell.v[3]};
     for (unsigned k = 0; k < 4; ++k) {
       const Id neighbor = cell.neighbors[k], joins = Id(around.inside >> k & 1);
       cells[neighbor >> 2].v[0] |= Id(joins << (std::numeric_limits<Id>::digits - 1));
-      *ends.cell = neighbor >> 2;
-      ends.cell += joins;
-      *ends.facet = {neighbor,
-                     {v[facet_corners[k][0]], v[facet_corners[k][1]], v[facet_corners[k][2]]}};
-      ends.facet += around.bounding() >> k & 1;
+      *next = neighbor >> 2;
+      next += joins;
+      *facet = {neighbor, {v[facet_corners[k][0]], v[facet_corners[k][1]], v[facet_corners[k][2]]}};
+      facet += around.bounding() >> k & 1;
     }
-    return ends;
+    zone.number_of_cells = std::size_t(next - zone.cells.data());
+    zone.number_of_facets = std::size_t(facet - zone.facets.data());
   }
 };
 
@@ -268,19 +263,16 @@ struct Wide_explore_neighbors : Explore_alone
     return {neighborhood(open, open, signs), {&c0, &c1, &c2, &c3}, first};
   }
 
-  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Zone_ends
-  note(Cell*, const Cell& cell, const Wide_neighborhood& around, Zone_ends ends)
+  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static void
+  note(Cell*, const Cell& cell, const Wide_neighborhood& around, Conflict_zone& zone)
   {
     const auto first = reinterpret_cast<Four_words>(
         _mm_or_si128(around.first, load(of_masks[around.inside].dead)));
     for (unsigned k = 0; k < 4; ++k)
       around.cells[k]->v[0] = first[k];
-    store(ends.cell, pack(_mm_srli_epi32(load(cell.neighbors), 2), around.inside));
-    ends.cell += __builtin_popcount(around.inside);
-    ends.facet = write_facets(ends.facet, around.bounding(),
-                              load_eight(cell.v) &
-                                  Eight_words{~Numbers::dead, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u});
-    return ends;
+    append(zone, around,
+           load_eight(cell.v) & Eight_words{~Numbers::dead, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u},
+           load(cell.neighbors));
   }
 
   CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static unsigned signs_of(__m128i v)
@@ -310,15 +302,19 @@ struct Wide_explore_neighbors : Explore_alone
     return v;
   }
 
-  // Writes the facets `bounding` of a cell. Returns where the next one goes.
-  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Zone_facet*
-  write_facets(Zone_facet* to, unsigned bounding, Eight_words cell)
+  // Appends the neighbours in conflict of a cell, and the facets towards the others.
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static void
+  append(Conflict_zone& zone, const Neighborhood& around, Eight_words cell, __m128i neighbors)
   {
+    const unsigned inside = around.inside, bounding = around.bounding();
+    store(zone.cells.data() + zone.number_of_cells, pack(_mm_srli_epi32(neighbors, 2), inside));
+    Zone_facet* const to = zone.facets.data() + zone.number_of_facets;
     for (unsigned half = 0; half < 2; ++half) {
       const Eight_words two = words_of(cell, load_eight(of_masks[bounding].facets[half]));
       __builtin_memcpy(static_cast<void*>(to + 2 * half), &two, sizeof two);
     }
-    return to + __builtin_popcount(bounding);
+    zone.number_of_cells += unsigned(__builtin_popcount(inside));
+    zone.number_of_facets += unsigned(__builtin_popcount(bounding));
   }
 
 private:
@@ -398,9 +394,7 @@ private:
     zone.make_room(2 * zone.room());
   }
 
-  // Tests the neighbours of a cell in conflict. The ends are kept in the zone: if they are in
-  // registers, in a loop that has all of this inlined, one thread gains a little, but two lose
-  // more.
+  // Tests the neighbours of a cell in conflict.
   template <class Vertex, class Predicates, class Zone>
   static void look_around(Compact_complex<Vertex>& complex, Predicates& predicates, Zone& zone,
                           Id p, const Compact_cell& cell, Explore& explore)
@@ -408,11 +402,7 @@ private:
     auto around = explore.around(complex.cells(), complex.vertices(), cell, complex.place(p));
     if (around.undecided != 0)
       around.inside |= undecided_conflicts(complex, predicates, cell, around.undecided, p, explore);
-    const Zone_ends ends = explore.note(complex.cells(), cell, around,
-                                        Zone_ends{zone.cells.data() + zone.number_of_cells,
-                                                  zone.facets.data() + zone.number_of_facets});
-    zone.number_of_cells = std::size_t(ends.cell - zone.cells.data());
-    zone.number_of_facets = std::size_t(ends.facet - zone.facets.data());
+    explore.note(complex.cells(), cell, around, zone);
   }
 
   // Returns which of the undecided neighbours are in conflict.

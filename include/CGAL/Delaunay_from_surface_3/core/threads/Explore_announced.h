@@ -36,17 +36,12 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-struct Neighbors
-{
-  Id of[4];
-};
-
 // Adds to a conflict zone the data that was read when it was dug: others may have written since.
 struct Announced_zone : Conflict_zone
 {
-  std::vector<Neighbors> neighbors; // of the zone's cells
   std::vector<Id> words; // the first vertices of the zone's cells, which tell their versions
-  std::vector<Id> outside_words; // the same of the cells beyond the facets
+  std::vector<Compact_cell> copies; // of the zone's cells
+  std::vector<Id> outside_words;    // the same of the cells beyond the facets
 
   Announced_zone() { make_room(64); }
 
@@ -54,8 +49,8 @@ struct Announced_zone : Conflict_zone
   void make_room(std::size_t n)
   {
     Conflict_zone::make_room(n);
-    neighbors.resize(this->cells.size());
     words.resize(this->cells.size());
+    copies.resize(this->cells.size());
     outside_words.resize(this->facets.size());
   }
 };
@@ -102,17 +97,18 @@ public:
   }
 
   // Announces the first cell. The zone has the word under which it was found in conflict.
-  void mark(const Cell*, Id c) { store_relaxed(own_mark(c), std::uint8_t(1)); }
+  void mark(const Cell*, Id c) { store_relaxed(own_mark(c), Marks::set); }
 
   // Returns a copy of cell c, the k-th of the zone.
   const Cell& read(const Cell* cells, Id c, std::size_t k)
   {
-    m_cell.v[0] = m_zone.words[k];
+    Cell& copy = m_zone.copies[k];
+    copy.v[0] = m_zone.words[k];
     for (unsigned i = 1; i < 4; ++i)
-      m_cell.v[i] = load_relaxed(cells[c].v[i]);
+      copy.v[i] = load_relaxed(cells[c].v[i]);
     for (unsigned i = 0; i < 4; ++i)
-      m_zone.neighbors[k].of[i] = m_cell.neighbors[i] = load_relaxed(cells[c].neighbors[i]);
-    return m_cell;
+      copy.neighbors[i] = load_relaxed(cells[c].neighbors[i]);
+    return copy;
   }
 
   Neighborhood around(const Cell* cells, const Vertex* vertices, const Cell& cell, Place p)
@@ -146,22 +142,22 @@ public:
     return m_neighbor;
   }
 
-  Zone_ends note(Cell*, const Cell& cell, const Neighborhood& around, Zone_ends ends)
+  void note(Cell*, const Cell& cell, const Neighborhood& around, Conflict_zone&)
   {
+    std::size_t &n = m_zone.number_of_cells, &f = m_zone.number_of_facets;
     for (unsigned k = 0; k < 4; ++k) {
       const Id neighbor = cell.neighbors[k], joins = Id(around.inside >> k & 1);
       std::uint8_t& own = own_mark(neighbor >> 2);
-      store_relaxed(own, std::uint8_t(load_relaxed(own) | joins));
-      m_zone.words[ends.cell - m_zone.cells.data()] = m_words[k];
-      *ends.cell = neighbor >> 2;
-      ends.cell += joins;
-      m_zone.outside_words[ends.facet - m_zone.facets.data()] = m_words[k];
-      *ends.facet = {
+      store_relaxed(own, std::uint8_t(load_relaxed(own) | joins * Marks::set));
+      m_zone.words[n] = m_words[k];
+      m_zone.cells[n] = neighbor >> 2;
+      n += joins;
+      m_zone.outside_words[f] = m_words[k];
+      m_zone.facets[f] = {
           neighbor,
           {cell.v[facet_corners[k][0]], cell.v[facet_corners[k][1]], cell.v[facet_corners[k][2]]}};
-      ends.facet += around.bounding() >> k & 1;
+      f += around.bounding() >> k & 1;
     }
-    return ends;
   }
 
   bool is_torn() const { return m_is_torn; }
@@ -181,10 +177,12 @@ protected:
   {
     std::uint64_t bits = 0;
     void add(std::uint64_t d) { bits |= d; }
-    void add_neighbors(const Id* now, const Id* then)
+    void add_cell(const Cell& now, const Cell& then)
     {
-      for (unsigned i = 0; i < 4; ++i)
-        bits |= load_relaxed(now[i]) ^ then[i];
+      bits |= load_acquire(now.v[0]) ^ then.v[0];
+      if (Protocol::compares_neighbors)
+        for (unsigned i = 0; i < 4; ++i)
+          bits |= load_relaxed(now.neighbors[i]) ^ then.neighbors[i];
     }
     bool is_zero() const { return bits == 0; }
   };
@@ -196,14 +194,10 @@ protected:
     const unsigned own = Protocol::masks_own_mark ? m_worker : Marks::most_workers;
     return with_other_marks(m_marks, own, [&](auto others) {
       const Id* const zone = m_zone.cells.data();
-      const Id* const words = m_zone.words.data();
-      const Neighbors* const neighbors = m_zone.neighbors.data();
+      const Cell* const copies = m_zone.copies.data();
       for (std::size_t k = 0; k < n; ++k) {
-        const Cell& cell = cells[zone[k]];
         difference.add(others(zone[k]));
-        difference.add(load_acquire(cell.v[0]) ^ words[k]);
-        if (Protocol::compares_neighbors)
-          difference.add_neighbors(cell.neighbors, neighbors[k].of);
+        difference.add_cell(cells[zone[k]], copies[k]);
       }
       const Zone_facet* const facets = m_zone.facets.data();
       const Id* const outside_words = m_zone.outside_words.data();
@@ -217,7 +211,6 @@ protected:
     });
   }
 
-  alignas(32) Cell m_cell;
   Announced_zone& m_zone;
   std::uint8_t* m_bytes; // the worker's
   const Marks& m_marks;
@@ -234,15 +227,22 @@ protected:
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
+// Also has the first vertices of the neighbours, and where the worker's own marks are, and these.
+struct Announced_neighborhood : Neighborhood
+{
+  __m128i words, own;
+  std::uint8_t* marks[4];
+};
+
 template <class Vertex, class Protocol = Handshake>
 class Wide_explore_announced : public Explore_announced<Vertex, Protocol>
 {
   using Base = Explore_announced<Vertex, Protocol>;
   using Wide = Wide_explore_neighbors;
-  using Base::m_cell;
   using Base::m_is_torn;
   using Base::m_words;
   using Base::m_zone;
+  using Base::own_mark;
   using typename Base::Cell;
   using typename Base::Complex;
   using typename Base::Place;
@@ -252,17 +252,16 @@ public:
 
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS const Cell& read(const Cell* cells, Id c, std::size_t k)
   {
-    const __m128i neighbors = Wide::load(cells[c].neighbors);
-    Wide::store(m_cell.v, Wide::load(cells[c].v));
-    Wide::store(m_cell.neighbors, neighbors);
-    Wide::store(m_zone.neighbors[k].of, neighbors);
-    m_cell.v[0] = m_zone.words[k];
-    return m_cell;
+    Eight_words cell = Wide::load_eight(cells[c].v);
+    cell[0] = m_zone.words[k];
+    Cell& copy = m_zone.copies[k];
+    __builtin_memcpy(&copy, &cell, sizeof cell);
+    return copy;
   }
 
-  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS Neighborhood around(const Cell* cells,
-                                                              const Vertex* vertices,
-                                                              const Cell& cell, Place p)
+  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS Announced_neighborhood around(const Cell* cells,
+                                                                        const Vertex* vertices,
+                                                                        const Cell& cell, Place p)
   {
     const Id n0 = cell.neighbors[0], n1 = cell.neighbors[1], n2 = cell.neighbors[2],
              n3 = cell.neighbors[3];
@@ -275,37 +274,37 @@ public:
              e2 = load_relaxed(c2.v[n2 & 3]) & unmarked, e3 = load_relaxed(c3.v[n3 & 3]) & unmarked;
     const __m128i words = _mm_setr_epi32(int(w0), int(w1), int(w2), int(w3));
     Wide::store(m_words, words);
-    m_own_marks =
-        std::uint32_t(this->own_mark(n0 >> 2)) | std::uint32_t(this->own_mark(n1 >> 2)) << 8 |
-        std::uint32_t(this->own_mark(n2 >> 2)) << 16 | std::uint32_t(this->own_mark(n3 >> 2)) << 24;
-    const unsigned open = 15 & ~bits_of_bytes(m_own_marks);
+    std::uint8_t &m0 = own_mark(n0 >> 2), &m1 = own_mark(n1 >> 2), &m2 = own_mark(n2 >> 2),
+                 &m3 = own_mark(n3 >> 2);
+    const __m128i own = _mm_insert_epi8(
+        _mm_insert_epi8(_mm_insert_epi8(_mm_cvtsi32_si128(m0), m1, 1), m2, 2), m3, 3);
+    const unsigned open = 15 & ~unsigned(_mm_movemask_epi8(own));
     m_is_torn |= Protocol::heeds_busy && Wide::signs_of(words) != 0;
     if (m_is_torn)
-      return {open, 0, open};
+      return {{open, 0, open}, words, own, {&m0, &m1, &m2, &m3}};
     const Place v[4] = {
         Place(vertices[cell.v[0]].coordinates), Place(vertices[cell.v[1]].coordinates),
         Place(vertices[cell.v[2]].coordinates), Place(vertices[cell.v[3]].coordinates)};
     const Place opposite[4] = {Place(vertices[e0].coordinates), Place(vertices[e1].coordinates),
                                Place(vertices[e2].coordinates), Place(vertices[e3].coordinates)};
     const Sphere_signs signs = Wide_sphere_filter::signs(v, opposite, p);
-    return neighborhood(open, open, signs);
+    return {neighborhood(open, open, signs), words, own, {&m0, &m1, &m2, &m3}};
   }
 
-  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS Zone_ends note(Cell*, const Cell& cell,
-                                                         const Neighborhood& around, Zone_ends ends)
+  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS void
+  note(Cell*, const Cell& cell, const Announced_neighborhood& around, Conflict_zone&)
   {
-    const unsigned inside = around.inside, bounding = around.bounding();
-    const std::uint32_t own_marks = m_own_marks | bytes_of_bits(inside);
-    for (unsigned k = 0; k < 4; ++k)
-      this->own_mark(cell.neighbors[k] >> 2) = std::uint8_t(own_marks >> 8 * k);
-    const __m128i words = Wide::load(m_words);
-    Wide::store(m_zone.words.data() + (ends.cell - m_zone.cells.data()), Wide::pack(words, inside));
-    Wide::store(ends.cell, Wide::pack(_mm_srli_epi32(Wide::load(cell.neighbors), 2), inside));
-    ends.cell += __builtin_popcount(inside);
-    Wide::store(m_zone.outside_words.data() + (ends.facet - m_zone.facets.data()),
-                Wide::pack(words, bounding));
-    ends.facet = Wide::write_facets(ends.facet, bounding, Wide::load_eight(cell.v));
-    return ends;
+    const __m128i own =
+        _mm_or_si128(around.own, _mm_cvtsi32_si128(int(bytes_of_bits(around.inside))));
+    *around.marks[0] = std::uint8_t(_mm_extract_epi8(own, 0));
+    *around.marks[1] = std::uint8_t(_mm_extract_epi8(own, 1));
+    *around.marks[2] = std::uint8_t(_mm_extract_epi8(own, 2));
+    *around.marks[3] = std::uint8_t(_mm_extract_epi8(own, 3));
+    Wide::store(m_zone.words.data() + m_zone.number_of_cells,
+                Wide::pack(around.words, around.inside));
+    Wide::store(m_zone.outside_words.data() + m_zone.number_of_facets,
+                Wide::pack(around.words, around.bounding()));
+    Wide::append(m_zone, around, Wide::load_eight(cell.v), Wide::load(cell.neighbors));
   }
 
   bool is_still_true(const Cell* cells, std::size_t n) const
@@ -314,28 +313,34 @@ public:
   }
 
 private:
-  // Gathers the lowest bits of four bytes, and spreads them again.
-  static unsigned bits_of_bytes(std::uint32_t bytes) { return bytes * 0x01020408 >> 24; }
-  static std::uint32_t bytes_of_bits(unsigned bits) { return bits * 0x00204081 & 0x01010101; }
-
-  std::uint32_t m_own_marks = 0; // of the neighbours, a byte each
+  // Spreads four bits to four marks.
+  static std::uint32_t bytes_of_bits(unsigned bits)
+  {
+    return (bits * 0x00204081 & 0x01010101) * Marks::set;
+  }
 
   // Every x86 processor of 64 bits has these vectors.
   struct Wide_difference
   {
     std::uint64_t bits = 0;
-    __m128i of_neighbors = _mm_setzero_si128();
+    __m128i of_cells = _mm_setzero_si128();
     void add(std::uint64_t d) { bits |= d; }
-    void add_neighbors(const Id* now, const Id* then)
+    void add_cell(const Cell& now, const Cell& then)
     {
-      // `volatile`: the compiler must not load it before the marks and the first vertex.
+      add_four(now.v, then.v);
+      if (Protocol::compares_neighbors)
+        add_four(now.neighbors, then.neighbors);
+    }
+    void add_four(const Id* now, const Id* then)
+    {
+      // `volatile`: the compiler must not load it before the marks.
       const __m128i current = *reinterpret_cast<const volatile __m128i*>(now);
       const __m128i before = _mm_loadu_si128(reinterpret_cast<const __m128i*>(then));
-      of_neighbors = _mm_or_si128(of_neighbors, _mm_xor_si128(current, before));
+      of_cells = _mm_or_si128(of_cells, _mm_xor_si128(current, before));
     }
     bool is_zero() const
     {
-      const __m128i zero = _mm_cmpeq_epi8(of_neighbors, _mm_setzero_si128());
+      const __m128i zero = _mm_cmpeq_epi8(of_cells, _mm_setzero_si128());
       return bits == 0 && _mm_movemask_epi8(zero) == 0xffff;
     }
   };

@@ -31,6 +31,7 @@ class Marks
 {
 public:
   static constexpr unsigned most_workers = 64;
+  static constexpr std::uint8_t set = 0x80; // a mark that is set; 0 if it is not
 
   // Makes marks for so many workers, up to most_workers, but for no cells yet.
   explicit Marks(unsigned number_of_workers)
