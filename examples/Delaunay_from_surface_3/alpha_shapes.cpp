@@ -29,6 +29,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -69,14 +70,21 @@ std::set<std::array<Point, 3>> boundary(const Shape& shape)
 // Writes the triangles to an OFF file.
 void write_off(const std::set<std::array<Point, 3>>& facets, const std::string& file_name)
 {
-  std::ofstream out(file_name);
-  out.precision(17);
-  out << "OFF\n" << 3 * facets.size() << ' ' << facets.size() << " 0\n";
+  std::map<Point, std::size_t> numbers;
   for (const std::array<Point, 3>& facet : facets)
     for (const Point& p : facet)
-      out << p << '\n';
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    out << "3 " << 3 * f << ' ' << 3 * f + 1 << ' ' << 3 * f + 2 << '\n';
+      numbers.emplace(p, 0);
+  std::ofstream out(file_name);
+  out.precision(17);
+  out << "OFF\n" << numbers.size() << ' ' << facets.size() << " 0\n";
+  std::size_t next = 0;
+  for (auto& [p, number] : numbers) {
+    out << p << '\n';
+    number = next++;
+  }
+  for (const std::array<Point, 3>& facet : facets)
+    out << "3 " << numbers[facet[0]] << ' ' << numbers[facet[1]] << ' ' << numbers[facet[2]]
+        << '\n';
   if (!out.flush())
     throw std::runtime_error("cannot write " + file_name);
 }
@@ -100,7 +108,7 @@ bool is_same_shape(const std::vector<Point>& points, double alpha, const std::st
   Shape plain_shape(points.begin(), points.end(), alpha);
   plain.stop();
   const auto facets = boundary(shape);
-  std::cout << name << ": " << facets.size() << " facets in " << ours.time()
+  std::cout << name << ", alpha " << alpha << ": " << facets.size() << " facets in " << ours.time()
             << " s; plain CGAL: " << plain.time() << " s\n";
   if (!output.empty())
     write_off(facets, output);
@@ -119,13 +127,14 @@ int main(int argc, char* argv[])
   }
   std::vector<Point> points;
   if (!CGAL::IO::read_points(file_name, std::back_inserter(points))) {
-    std::cerr << "Cannot read " << file_name << '\n';
+    std::cerr << "Cannot read " << file_name << ": expected points as .xyz, .ply or .off\n";
     return EXIT_FAILURE;
   }
   try {
     const bool is_same =
-        is_same_shape<Fixed_triangulation, Fixed_alpha_shape>(points, alpha, "one alpha", output) &&
-        is_same_shape<General_triangulation, Alpha_shape>(points, alpha, "all alphas");
+        is_same_shape<Fixed_triangulation, Fixed_alpha_shape>(points, alpha, "Fixed_alpha_shape_3",
+                                                              output) &&
+        is_same_shape<General_triangulation, Alpha_shape>(points, alpha, "Alpha_shape_3");
     return is_same ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception& error) {
     std::cerr << file_name << ": " << error.what() << '\n';

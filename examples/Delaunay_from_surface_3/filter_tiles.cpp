@@ -73,6 +73,10 @@ double part_of_voronoi_cell(const Vector& a, const Vector& b, const Vector& c)
 int main(int argc, char* argv[])
 {
   const std::size_t side = argc > 1 ? std::size_t(std::atoi(argv[1])) : 20;
+  if (side < 2 || side > 1000) {
+    std::cerr << "expected a number of points on each side, from 2 to 1000\n";
+    return EXIT_FAILURE;
+  }
   const std::filesystem::path folder = // one that nobody else has
       std::filesystem::temp_directory_path() /
       ("filter_tiles-" + std::to_string(std::random_device()()));
@@ -123,8 +127,8 @@ int main(int argc, char* argv[])
   std::filesystem::remove_all(folder);
 
   std::cout << report.points << " points in " << report.tiles << " tiles, " << report.cells
-            << " cells, of which " << small << " have a radius of at most sqrt(3) / 2; " << cubes
-            << " Voronoi cells are cubes\n";
+            << " cells, infinite ones too, of which " << small
+            << " have a radius of at most sqrt(3) / 2; " << cubes << " Voronoi cells are cubes\n";
   const std::size_t inner = side - 2;
   return cubes == inner * inner * inner && small > 5 * (side - 1) * (side - 1) * (side - 1)
              ? EXIT_SUCCESS

@@ -4,7 +4,9 @@
 
 // Interpolates values at scattered points, linearly in tetrahedra. Every tenth point is left out, and
 // its value is compared with the interpolated one. A file may be named that has x, y, z and a value
-// of each point.
+// of each point; with a second one, of x, y, z, the values there are printed instead.
+
+#include "read_rows.h"
 
 #include <CGAL/insert_points_3.h>
 
@@ -16,7 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <fstream>
+#include <exception>
 #include <iostream>
 #include <utility>
 #include <vector>
@@ -53,33 +55,72 @@ double interpolated(const Triangulation& tr, Triangulation::Cell_handle c, const
 }
 // [interpolate]
 
-int main(int argc, char* argv[])
+// Calls f(q, value, i) for the i-th query, where the value is NaN outside the hull.
+template <class Queries, class F>
+void interpolate(const Valued_points& known, const Queries& queries, const F& f)
 {
-  Valued_points all = argc > 1 ? Valued_points() : sample(20000), known, queries;
-  std::ifstream file(argc > 1 ? argv[1] : "");
-  for (double x, y, z, value; file >> x >> y >> z >> value;)
-    all.emplace_back(Point(x, y, z), value);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    (i % 10 == 0 ? queries : known).push_back(all[i]);
-
   Triangulation tr;
   CGAL::insert_points_3(tr, known);
+  Triangulation::Cell_handle c;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    c = tr.locate(queries[i], c); // from the last one
+    f(queries[i],
+      tr.dimension() < 3 || tr.is_infinite(c) ? std::nan("") : interpolated(tr, c, queries[i]), i);
+  }
+}
+
+Valued_points read_values(const char* file_name)
+{
+  Valued_points points;
+  for (const auto& [x, y, z, value] : read_rows<4>(file_name))
+    points.emplace_back(Point(x, y, z), value);
+  return points;
+}
+
+int print_values_at(const char* file_name, const Valued_points& known)
+{
+  std::vector<Point> queries;
+  for (const auto& [x, y, z] : read_rows<3>(file_name))
+    queries.emplace_back(x, y, z);
+  std::cout.precision(17);
+  interpolate(known, queries, [](const Point& q, double value, std::size_t) {
+    std::cout << q << ' ' << value << '\n';
+  });
+  return EXIT_SUCCESS;
+}
+
+int leave_out_every_tenth(const Valued_points& all)
+{
+  Valued_points known;
+  std::vector<Point> queries;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (i % 10 == 0)
+      queries.push_back(all[i].first);
+    else
+      known.push_back(all[i]);
   std::size_t inside = 0;
   double error = 0;
-  Triangulation::Cell_handle c;
-  for (const auto& [q, value] : queries) {
-    c = tr.locate(q, c); // from the last one
-    if (tr.dimension() < 3 || tr.is_infinite(c))
-      continue;
-    ++inside;
-    error += std::abs(interpolated(tr, c, q) - value);
-  }
-  if (inside == 0) {
-    std::cerr
-        << "The file cannot be read, or no point that was left out is in the hull of the others\n";
+  interpolate(known, queries, [&](const Point&, double value, std::size_t i) {
+    if (!std::isnan(value)) {
+      ++inside;
+      error += std::abs(value - all[10 * i].second);
+    }
+  });
+  std::cout << "Every tenth of " << all.size() << " points was left out; " << inside << " of these "
+            << queries.size() << " are in the hull of the others";
+  if (inside > 0)
+    std::cout << ", where the mean error is " << error / double(inside);
+  std::cout << '\n';
+  return inside > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+int main(int argc, char* argv[])
+{
+  try {
+    const Valued_points all = argc > 1 ? read_values(argv[1]) : sample(20000);
+    return argc > 2 ? print_values_at(argv[2], all) : leave_out_every_tenth(all);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }
-  std::cout << inside << " of " << queries.size()
-            << " points are in the hull; mean error there: " << error / double(inside) << '\n';
-  return EXIT_SUCCESS;
 }

@@ -6,6 +6,8 @@
 // union of the balls. The type of the triangulation is all that differs from plain CGAL. A file may
 // be named that has x, y, z and a radius of each ball.
 
+#include "read_rows.h"
+
 #include <CGAL/insert_weighted_points_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -24,7 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <fstream>
+#include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -68,9 +70,8 @@ std::vector<Ball> chain_of_balls(std::size_t n)
 
 std::vector<Ball> read_balls(const char* file_name)
 {
-  std::ifstream file(file_name);
   std::vector<Ball> balls;
-  for (double x, y, z, radius; file >> x >> y >> z >> radius;)
+  for (const auto& [x, y, z, radius] : read_rows<4>(file_name))
     balls.emplace_back(K::Point_3(x, y, z), radius * radius);
   return balls;
 }
@@ -110,17 +111,19 @@ Counts counts_of_shape(const std::vector<Ball>& balls, const std::string& name)
   const Shape shape(balls.begin(), balls.end(), 0);
   timer.stop();
   const Counts counts = counts_of(shape);
-  std::cout << name << ": " << timer.time() << " s, " << counts.outer[0]
-            << " balls at the surface, " << counts.inner[0] << " inside, "
-            << balls.size() - shape.number_of_vertices() << " hidden by others\n";
+  std::cout << balls.size() << " balls, " << name << ": " << timer.time() << " s, "
+            << counts.outer[0] << " balls at the surface, " << counts.inner[0] << " inside, "
+            << balls.size() - counts.outer[0] - counts.inner[0] << " covered by others\n";
   return counts;
 }
 
 int main(int argc, char* argv[])
 {
-  const std::vector<Ball> balls = argc > 1 ? read_balls(argv[1]) : chain_of_balls(20000);
-  if (balls.empty()) {
-    std::cerr << argv[1] << ": it cannot be read, or has no balls\n";
+  std::vector<Ball> balls;
+  try {
+    balls = argc > 1 ? read_balls(argv[1]) : chain_of_balls(20000);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }
   const Counts counts = counts_of_shape<Alpha_shape>(balls, "Regular_from_points_3");

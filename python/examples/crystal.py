@@ -4,13 +4,15 @@
 
 """A crystal of copper with a vacancy: volumes and coordination numbers of its atoms, and two of their cells.
 
+    python crystal.py [picture.png]
+
 Each atom is displaced a little, as by heat, and one is missing. The cells of its twelve neighbours have become
 larger, and miss a facet. Where atoms are displaced, facets appear at the corners of cells: only those with 3/10 of
-the largest solid angle count. With Matplotlib a picture, crystal.png, is made of a neighbour's cell and of another
-one.
+the largest solid angle count. The picture, which needs Matplotlib, is of a neighbour's cell and of another one.
 """
 
 import itertools
+import sys
 
 import numpy as np
 
@@ -62,6 +64,7 @@ if __name__ == "__main__":
     for name, which in (("neighbours of the vacancy", is_near), ("all other atoms", ~is_near)):
         numbers, counts = np.unique(coordination[which], return_counts=True)
         print(f"{name}: {volumes[which].mean():.2f} cubic ångström each; coordination numbers "
-              + ", ".join(f"{number} ({count})" for number, count in zip(numbers, counts)))
+              + ", ".join(f"{number} for {count} of them" for number, count in zip(numbers, counts)))
     chosen = [np.flatnonzero(is_near)[0], np.flatnonzero(~is_near)[0]]
-    draw([diagram.voronoi_cell(i) for i in chosen], ["beside the vacancy", "elsewhere"], "crystal.png")
+    if len(sys.argv) > 1:
+        draw([diagram.voronoi_cell(i) for i in chosen], ["beside the vacancy", "elsewhere"], sys.argv[1])

@@ -20,12 +20,14 @@ import delaunay_from_surface as dfs
 
 def read_off(name):
     """Points and triangles."""
-    with open(name, encoding="utf-8") as file:
+    with open(name, encoding="utf-8", errors="replace") as file:
         words = " ".join(line.split("#")[0] for line in file).split()
+    if words[:1] != ["OFF"]:
+        sys.exit(f"{name}: expected an OFF file")
     points, faces = int(words[1]), int(words[2])
     corners = np.array(words[4 + 3 * points:4 + 3 * points + 4 * faces], int).reshape(-1, 4)
-    if words[0] != "OFF" or (corners[:, 0] != 3).any():
-        sys.exit(f"{name}: expected OFF, with triangles alone")
+    if (corners[:, 0] != 3).any():
+        sys.exit(f"{name}: expected triangles alone")
     return np.array(words[4:4 + 3 * points], float).reshape(-1, 3), corners[:, 1:]
 
 
@@ -55,6 +57,6 @@ if __name__ == "__main__":
     a, b, c = points[faces].transpose(1, 0, 2)
     enclosed = abs(np.einsum("ij,ij->", a, np.cross(b, c))) / 6
     print(f"{len(tetrahedra)} of {triangulation.nsimplex} tetrahedra are inside; their volume is {volume:.6g}, "
-          f"and that of the surface {enclosed:.6g} if it is closed")
+          f"and that of the surface {enclosed:.6g}, if it is closed and consistently oriented")
     if len(sys.argv) > 2:
         write_vtk(sys.argv[2], points, tetrahedra)

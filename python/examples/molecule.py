@@ -4,12 +4,12 @@
 
 """The alpha shape of a cloud, and the weighted one of a molecule.
 
-    python molecule.py [balls.txt | cloud.xyz [shape.off]]
+    python molecule.py [balls.txt | cloud.xyz [shape.off [RADIUS ...]]]
 
 The file has x, y, z and a radius in each line, or no radius: then there are no balls. Without it, they are those of a chain in a box. With alpha 0 the weighted
 alpha complex is dual to the union of the balls: a ball, pair or triple is in it if it has a common place that is in no other
 power cell. So the complex says which balls meet, and which are buried: all tetrahedra around these are in it.
-The boundary of the last alpha shape is written to shape.off.
+The boundary of this complex is written to shape.off, or, of a cloud, that of the alpha shape of the last radius.
 """
 
 import os
@@ -48,23 +48,27 @@ def write_off(name, points, triangles):
 if __name__ == "__main__":
     centers, radii = chain(5000, np.random.default_rng(1))
     if len(sys.argv) > 1:
-        numbers = np.loadtxt(sys.argv[1])
+        try:
+            numbers = np.loadtxt(sys.argv[1], ndmin=2)
+        except ValueError as error:
+            sys.exit(f"{sys.argv[1]}: expected x, y, z, and a radius or none, in each line: {error}")
         centers, radii = numbers[:, :3], numbers[:, 3:].ravel()
     if len(sys.argv) > 2 and os.path.exists(sys.argv[2]) and os.path.samefile(*sys.argv[1:3]):
         sys.exit(f"{sys.argv[2]} is the input: name another file")
 
+    alphas = [float(word) for word in sys.argv[3:]] or [1.5, 2, 3]
     # [cloud]
     cloud = dfs.delaunay3(centers, threads=None)
-    for radius in (1.5, 2, 3):
+    for radius in alphas:
         shape = cloud.alpha_complex(radius)
         skin = boundary(cloud, shape)
         print(f"alpha {radius}: {len(shape.simplices)} tetrahedra, {len(skin)} triangles on the boundary")
     # [cloud]
-    if len(sys.argv) > 2:
-        write_off(sys.argv[2], centers, skin)
 
     if len(radii) != len(centers):
         print("There are no radii, so there are no balls")
+        if len(sys.argv) > 2:
+            write_off(sys.argv[2], centers, skin)
         sys.exit()
 
     # [balls]
@@ -74,5 +78,7 @@ if __name__ == "__main__":
     filled = np.bincount(balls.simplices[dual.simplices].ravel(), minlength=len(centers))
     buried = np.setdiff1d(np.flatnonzero((around > 0) & (around == filled)), balls.convex_hull)
     # [balls]
+    if len(sys.argv) > 2:
+        write_off(sys.argv[2], centers, boundary(balls, dual))
     print(f"{len(centers)} balls: {len(dual.vertices) - len(buried)} at the surface, {len(buried)} inside, "
           f"{len(centers) - len(dual.vertices)} covered by others; {len(dual.edges)} pairs and {len(dual.triangles)} triples meet")
