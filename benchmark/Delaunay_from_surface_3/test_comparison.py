@@ -3,14 +3,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 """Runs compare_with_plain at small sizes, with all that it can measure, measure_threads and measure_weights beside other
-programs, and measure_single_calls.py, and looks at what they have written."""
+programs, measure_single_calls.py and critical_path.py, and looks at what they have written."""
 
 import json
+import math
 import os
+import shutil
 import subprocess
 import sys
 import unittest
 from pathlib import Path
+from random import Random
 
 import speed_tables
 from manual_tables import read
@@ -160,6 +163,24 @@ class Comparison(ProgramCase):
                 self.assertEqual(len(call["cpu"]), 2)
                 self.between(0, call["median_wall"], 100)
                 self.between(0, call["median_faults"], 1e5)
+
+    @unittest.skipUnless(shutil.which("valgrind"), "skipped: instructions of threads, as valgrind was not found")
+    def test_critical_path(self):
+        random = Random(1)
+        cloud = [[axis * x / math.hypot(*p) for axis, x in zip((3, 2, 1), p)]
+                 for p in ([random.gauss(0, 1) for _ in range(3)] for _ in range(30000))]
+        mesh = self.write("ellipsoid.off", "OFF 30000 0 0", *(" ".join(map(repr, p)) for p in cloud))
+        subprocess.run([sys.executable, HERE / "critical_path.py", mesh, "--threads", "1", "4", "--program",
+                        os.path.abspath(os.environ["ARRAYS_BY_THREADS"]), "--output", self.folder / "critical_path.json"],
+                       check=True, stdout=subprocess.DEVNULL)
+        one, four = json.loads((self.folder / "critical_path.json").read_text())["results"]
+        self.assertEqual(one["critical_path"], one["work"])
+        self.between(1, four["work"] / one["work"], 1.45)  # what threads do in addition
+        self.between(1.7, one["work"] / four["critical_path"], 4)
+        alone = sum(longest for part, (longest, _) in four["parts"].items() if part.endswith("alone"))
+        self.between(0, alone / one["work"], 0.1)
+        for part, (longest, work) in four["parts"].items():
+            self.assertLessEqual(work / 4, longest, part)
 
     def test_what_it_refuses(self):
         self.refuses("a peer is given as NAME=COMMAND, not as 'false'", "--peer", "false")
