@@ -71,6 +71,24 @@ def more_threads(report):
             f"{most[8]:.1f} with 8, and {most[64]:.0f} with 64 (`{report['name']}`).")
 
 
+def critical_path(report):
+    """By number of points: what one thread executes / what the busiest of many does, in valgrind's turns and if what threads
+    share were shared evenly; what all do / one."""
+    rows = []
+    by_size = {}
+    for r in report["results"]:
+        by_size.setdefault(r["points"], {})[r["threads"]] = r
+    for points, of in by_size.items():
+        one = of[1]["work"]
+        for threads, r in of.items():
+            alone = sum(longest for part, (longest, _) in r["parts"].items() if part.endswith("alone"))
+            evenly = alone + (r["work"] - alone) / threads
+            rows.append([thousands(points), str(threads), two(one / r["critical_path"]), two(one / evenly), two(r["work"] / one),
+                         f"{100 * alone / one:.1f} %" if threads > 1 else "–"])
+    return table(["points", "threads", "one / the busiest", "if shared evenly", "all / one", "what is not shared / one"], rows) + (
+        f'\n\n<small>Instructions, elephant, arrays, `{report["name"]}`.</small>')
+
+
 def sixteen_cores(report):
     """Seconds of one surface by one thread and by 16."""
     (result,) = report["results"]
