@@ -36,7 +36,7 @@ from one_record_per_line import text_of
 EXTENSIONS = {".off", ".ply", ".obj", ".stl"}
 FUNCTIONS = ["insert_once_by_plain_cgal", "insert_once_by_default"]
 PHASES = {  # a phase is all that is called from lines of the first within the second, by regular expressions
-    "read": ("adapters/Read_\\w+.h", ""),
+    "read": ("", "::Read_soup<"),  # the points are read where they are
     "plan": ("core/(build_impl|order/\\w+).h", "::(order_of_points|spaced_rounds)"),
     "permute": ("core/kernel/Ordered_complex.h", "Ordered_complex<.*::start"),
     "walk": ("core/kernel/Walk_to_conflict.h", ""),

@@ -80,7 +80,7 @@ def critical_path(report):
         by_size.setdefault(r["points"], {})[r["threads"]] = r
     for points, of in by_size.items():
         one = of[1]["work"]
-        for threads, r in of.items():
+        for threads, r in sorted(of.items()):
             alone = sum(longest for part, (longest, _) in r["parts"].items() if part.endswith("alone"))
             evenly = alone + (r["work"] - alone) / threads
             rows.append([thousands(points), str(threads), two(one / r["critical_path"]), two(one / evenly), two(r["work"] / one),
