@@ -71,12 +71,12 @@ def more_threads(report):
             f"{most[8]:.1f} with 8, and {most[64]:.0f} with 64 (`{report['name']}`).")
 
 
-def critical_path(report):
+def critical_path(*reports):
     """By number of points: what one thread executes / what the busiest of many does, in valgrind's turns and if what threads
     share were shared evenly; what all do / one."""
     rows = []
     by_size = {}
-    for r in report["results"]:
+    for r in [r for report in reports for r in report["results"]]:
         by_size.setdefault(r["points"], {})[r["threads"]] = r
     for points, of in by_size.items():
         one = of[1]["work"]
@@ -86,7 +86,7 @@ def critical_path(report):
             rows.append([thousands(points), str(threads), two(one / r["critical_path"]), two(one / evenly), two(r["work"] / one),
                          f"{100 * alone / one:.1f} %" if threads > 1 else "–"])
     return table(["points", "threads", "one / the busiest", "if shared evenly", "all / one", "what is not shared / one"], rows) + (
-        f'\n\n<small>Instructions, elephant, arrays, `{report["name"]}`.</small>')
+        "\n\n<small>Instructions, elephant, arrays, " + ", ".join(f'`{report["name"]}`' for report in reports) + ".</small>")
 
 
 def sixteen_cores(report):
