@@ -4,7 +4,10 @@
 
 // How dense points in a periodic box are around each of them: the density at one is 4 divided by the
 // volume of its tetrahedra. No point is at a boundary, so the tetrahedra
-// fill the box, and each has four corners: the volumes add up.
+// fill the box, and each has four corners: the volumes add up. The arguments are a file with x, y, z in each
+// line and the lengths of the box; without them, it is a sample.
+
+#include "read_rows.h"
 
 #include <CGAL/Random.h>
 #include <CGAL/periodic_delaunay_3_arrays.h>
@@ -14,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <vector>
 
@@ -40,11 +44,9 @@ double determinant(const Point& u, const Point& v, const Point& w)
          u[2] * (v[0] * w[1] - v[1] * w[0]);
 }
 
-int main()
+// Returns whether the volumes add up.
+bool print_densities(const std::vector<Point>& points, const std::array<double, 3>& box)
 {
-  constexpr double period = 10;
-  const std::array<double, 3> box = {{period, period, period}};
-  const std::vector<Point> points = points_in(period, 20000);
   // [box]
   const auto arrays = CGAL::periodic_delaunay_3_arrays(points, box);
 
@@ -71,6 +73,24 @@ int main()
   const auto [smallest, largest] = std::minmax_element(volumes.begin(), volumes.end());
   std::cout << arrays.number_of_simplices() << " tetrahedra, of " << points.size() << " points and "
             << arrays.number_of_copies() << " copies; their volume is " << all << "\n"
-            << "densities from " << 4 / *largest << " to " << 4 / *smallest << "\n";
-  return std::abs(all - period * period * period) < 1e-9 * all ? EXIT_SUCCESS : EXIT_FAILURE;
+            << "from " << 4 / *largest << " to " << 4 / *smallest << " points per unit of volume\n";
+  return std::abs(all - box[0] * box[1] * box[2]) < 1e-9 * all;
+}
+
+int main(int argc, char* argv[])
+{
+  std::array<double, 3> box = {{10, 10, 10}};
+  for (int k = 0; k < 3 && argc == 5; ++k)
+    box[std::size_t(k)] = std::atof(argv[k + 2]);
+  if ((argc != 1 && argc != 5) || !(*std::min_element(box.begin(), box.end()) > 0)) {
+    std::cerr << "usage: periodic_densities [FILE LENGTH LENGTH LENGTH]\n";
+    return EXIT_FAILURE;
+  }
+  try {
+    const auto points = argc > 1 ? read_rows<3>(argv[1]) : points_in(10, 20000);
+    return print_densities(points, box) ? EXIT_SUCCESS : EXIT_FAILURE;
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
 }
