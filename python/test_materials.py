@@ -491,12 +491,11 @@ class AsVoro(unittest.TestCase):
 
 class Example(unittest.TestCase):
     def test_crystal(self):
-        with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([sys.executable, Path(__file__).with_name("examples").resolve() / "crystal.py"],
-                                  capture_output=True, text=True, check=True, cwd=folder)
-        self.assertIn("neighbours of the vacancy: 12.80 cubic ångström each; coordination numbers 11 (12)\n",
+        done = subprocess.run([sys.executable, Path(__file__).with_name("examples").resolve() / "crystal.py"],
+                              capture_output=True, text=True, check=True)
+        self.assertIn("neighbours of the vacancy: 12.80 cubic ångström each; coordination numbers 11 for 12 of them\n",
                       done.stdout)
-        self.assertIn("coordination numbers 12 (2035)\n", done.stdout)
+        self.assertIn("coordination numbers 12 for 2035 of them\n", done.stdout)
 
 
 if __name__ == "__main__":

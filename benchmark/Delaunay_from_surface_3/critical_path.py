@@ -41,6 +41,8 @@ def counted(program, mesh, threads):
             if found := re.search(r"^desc: Trigger: Client Request: (\w+) (\w+) (\d+)$", text, re.MULTILINE):
                 thread = re.search(r"^thread: (\d+)$", text, re.MULTILINE)[1]
                 of_threads[found.groups()][thread] += int(re.search(r"^totals: (\d+)$", text, re.MULTILINE)[1])
+    if not of_threads:
+        sys.exit(f"{program} tells valgrind nothing: it was built without valgrind/callgrind.h")
     longest, work = defaultdict(int), defaultdict(int)
     for (phase, part, _), counts in of_threads.items():
         longest[phase, part] += max(counts.values())

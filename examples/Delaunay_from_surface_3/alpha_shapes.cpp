@@ -118,7 +118,12 @@ bool is_same_shape(const std::vector<Point>& points, double alpha, const std::st
 int main(int argc, char* argv[])
 {
   const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
-  const double alpha = argc > 2 ? std::atof(argv[2]) : 0.05; // the square of a radius
+  char* end = nullptr;
+  const double alpha = argc > 2 ? std::strtod(argv[2], &end) : 0.05; // the square of a radius
+  if (argc > 2 && (end == argv[2] || *end != '\0' || !(alpha >= 0))) {
+    std::cerr << "expected alpha, the square of a radius, not '" << argv[2] << "'\n";
+    return EXIT_FAILURE;
+  }
   const std::string output = argc > 3 ? argv[3] : "";
   std::error_code none; // the files differ if either is missing
   if (!output.empty() && std::filesystem::equivalent(file_name, output, none)) {

@@ -73,8 +73,8 @@ double part_of_voronoi_cell(const Vector& a, const Vector& b, const Vector& c)
 int main(int argc, char* argv[])
 {
   const std::size_t side = argc > 1 ? std::size_t(std::atoi(argv[1])) : 20;
-  if (side < 2 || side > 1000) {
-    std::cerr << "expected a number of points on each side, from 2 to 1000\n";
+  if (side < 3 || side > 1000) {
+    std::cerr << "expected a number of points on each side, from 3 to 1000\n";
     return EXIT_FAILURE;
   }
   const std::filesystem::path folder = // one that nobody else has

@@ -79,14 +79,14 @@ bool print_densities(const std::vector<Point>& points, const std::array<double, 
 
 int main(int argc, char* argv[])
 {
-  std::array<double, 3> box = {{10, 10, 10}};
-  for (int k = 0; k < 3 && argc == 5; ++k)
-    box[std::size_t(k)] = std::atof(argv[k + 2]);
-  if ((argc != 1 && argc != 5) || !(*std::min_element(box.begin(), box.end()) > 0)) {
+  if (argc != 1 && argc != 5) {
     std::cerr << "usage: periodic_densities [FILE LENGTH LENGTH LENGTH]\n";
     return EXIT_FAILURE;
   }
   try {
+    std::array<double, 3> box = {{10, 10, 10}};
+    for (int k = 0; k < 3 && argc > 1; ++k)
+      box[std::size_t(k)] = number_of(argv[k + 2]);
     const auto points = argc > 1 ? read_rows<3>(argv[1]) : points_in(10, 20000);
     return print_densities(points, box) ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception& error) {

@@ -28,6 +28,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -110,6 +111,9 @@ Counts counts_of_shape(const std::vector<Ball>& balls, const std::string& name)
   timer.start();
   const Shape shape(balls.begin(), balls.end(), 0);
   timer.stop();
+  if (shape.dimension() < 3)
+    throw std::runtime_error(
+        "CGAL's alpha shapes need balls whose centres are not all in one plane");
   const Counts counts = counts_of(shape);
   std::cout << balls.size() << " balls, " << name << ": " << timer.time() << " s, "
             << counts.outer[0] << " balls at the surface, " << counts.inner[0] << " inside, "
@@ -119,15 +123,14 @@ Counts counts_of_shape(const std::vector<Ball>& balls, const std::string& name)
 
 int main(int argc, char* argv[])
 {
-  std::vector<Ball> balls;
   try {
-    balls = argc > 1 ? read_balls(argv[1]) : chain_of_balls(20000);
+    const std::vector<Ball> balls = argc > 1 ? read_balls(argv[1]) : chain_of_balls(20000);
+    const Counts counts = counts_of_shape<Alpha_shape>(balls, "Regular_from_points_3");
+    return counts == counts_of_shape<Plain_alpha_shape>(balls, "Regular_triangulation_3")
+               ? EXIT_SUCCESS
+               : EXIT_FAILURE;
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }
-  const Counts counts = counts_of_shape<Alpha_shape>(balls, "Regular_from_points_3");
-  return counts == counts_of_shape<Plain_alpha_shape>(balls, "Regular_triangulation_3")
-             ? EXIT_SUCCESS
-             : EXIT_FAILURE;
 }

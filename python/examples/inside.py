@@ -26,6 +26,8 @@ def read_off(name):
         sys.exit(f"{name}: expected an OFF file")
     points, faces = int(words[1]), int(words[2])
     corners = np.array(words[4 + 3 * points:4 + 3 * points + 4 * faces], int).reshape(-1, 4)
+    if len(corners) < faces:
+        sys.exit(f"{name}: ends before all faces are there")
     if (corners[:, 0] != 3).any():
         sys.exit(f"{name}: expected triangles alone")
     return np.array(words[4:4 + 3 * points], float).reshape(-1, 3), corners[:, 1:]

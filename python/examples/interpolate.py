@@ -22,14 +22,25 @@ def function(x):
 
 
 def print_values(values, queries):
-    known, xi = np.loadtxt(values, ndmin=2), np.loadtxt(queries, ndmin=2)
+    tables = []
+    for name, columns in (values, 4), (queries, 3):
+        try:
+            table = np.loadtxt(name, ndmin=2)
+        except ValueError as error:
+            sys.exit(f"{name}: {error}")
+        if table.shape[1] != columns:
+            sys.exit(f"{name}: expected {columns} numbers in each line")
+        tables.append(table)
+    known, xi = tables
     triangulation = dfs.delaunay3(known[:, :3])
     for interpolator in dfs.LinearInterpolator, dfs.NaturalNeighborInterpolator:
-        xi = np.column_stack([xi, interpolator(triangulation, known[:, 3])(xi[:, :3])])
+        xi = np.column_stack([xi, interpolator(triangulation, known[:, 3])(tables[1])])
     np.savetxt(sys.stdout, xi, "%.17g")
 
 
 def main():
+    if len(sys.argv) > 1 and not sys.argv[1].endswith((".png", ".svg", ".pdf")):
+        sys.exit(f"{sys.argv[1]}: expected the name of a picture, such as picture.png, or a second file, of queries")
     points = np.random.default_rng(0).random((2000, 3))
     u, v = np.meshgrid(np.linspace(0, 1, 400), np.linspace(0, 1, 400))
     xi = np.stack([u, v, np.full_like(u, .5)], axis=-1)
@@ -46,8 +57,6 @@ def main():
     everywhere = dfs.LinearInterpolator(triangulation, function(points), outside="nearest")(xi)
     print(f"with the nearest vertex outside, everywhere: {abs(everywhere - function(xi)).mean():.4f}")
     if len(sys.argv) > 1:
-        if not sys.argv[1].endswith((".png", ".svg", ".pdf")):
-            sys.exit(f"{sys.argv[1]}: expected the name of a picture, such as picture.png")
         import matplotlib
         matplotlib.use("Agg")
         import matplotlib.pyplot as plt

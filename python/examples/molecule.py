@@ -9,7 +9,7 @@
 The file has x, y, z and a radius in each line, or no radius: then there are no balls. Without it, they are those of a chain in a box. With alpha 0 the weighted
 alpha complex is dual to the union of the balls: a ball, pair or triple is in it if it has a common place that is in no other
 power cell. So the complex says which balls meet, and which are buried: all tetrahedra around these are in it.
-The boundary of this complex is written to shape.off, or, of a cloud, that of the alpha shape of the last radius.
+The boundary of this complex is written to shape.off, or, of a cloud, that of the alpha shape of the last RADIUS.
 """
 
 import os
@@ -52,6 +52,8 @@ if __name__ == "__main__":
             numbers = np.loadtxt(sys.argv[1], ndmin=2)
         except ValueError as error:
             sys.exit(f"{sys.argv[1]}: expected x, y, z, and a radius or none, in each line: {error}")
+        if numbers.shape[1] not in (3, 4) or not np.isfinite(numbers).all():
+            sys.exit(f"{sys.argv[1]}: expected x, y, z, and a radius or none, in each line")
         centers, radii = numbers[:, :3], numbers[:, 3:].ravel()
     if len(sys.argv) > 2 and os.path.exists(sys.argv[2]) and os.path.samefile(*sys.argv[1:3]):
         sys.exit(f"{sys.argv[2]} is the input: name another file")

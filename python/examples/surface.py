@@ -62,7 +62,7 @@ if __name__ == "__main__":
     u, v = 2 * np.pi * np.random.default_rng(1).random((2, 5000))
     torus = np.stack([(2 + np.cos(v)) * np.cos(u), (2 + np.cos(v)) * np.sin(u), np.sin(v)], axis=1)
     try:
-        points = np.loadtxt(sys.argv[1], usecols=(0, 1, 2)) if len(sys.argv) > 1 else torus
+        points = np.loadtxt(sys.argv[1], usecols=(0, 1, 2), ndmin=2) if len(sys.argv) > 1 else torus
     except ValueError as error:
         sys.exit(f"{sys.argv[1]}: expected x, y, z in each line: {error}")
     if len(sys.argv) > 2 and os.path.exists(sys.argv[2]) and os.path.samefile(*sys.argv[1:3]):

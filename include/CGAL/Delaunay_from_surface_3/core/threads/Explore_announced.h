@@ -221,9 +221,9 @@ protected:
 };
 
 // The following does the same as Explore_announced, in vectors. Only here are words that others
-// write read four at a time. A processor with such vectors loads each word of them whole, in the
-// order described above, since x86 does not reorder loads. The compiler could; therefore marks,
-// first vertices, and the neighbours compared in the end are loaded as `volatile`.
+// write read four or eight at a time. A processor with such vectors loads each word of them whole,
+// in the order described above, since x86 does not reorder loads. The compiler could; therefore
+// marks, first vertices, and all that is compared in the end are loaded as `volatile`.
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
