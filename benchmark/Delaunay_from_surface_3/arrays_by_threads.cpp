@@ -63,8 +63,7 @@ public:
     m_phase = phase;
   }
 
-  // To be called before tasks are run, and for each of them, by its thread, with its CPU time. The
-  // caller's thread may do several.
+  // To be called by the caller's thread before and after tasks, end_of_task() by the thread of each.
   void begin_tasks()
   {
     end_of_part_alone();

@@ -5,6 +5,8 @@
 // Alpha shapes of points: both of CGAL's classes accept a triangulation that is already built. The
 // results are the same as from points that the classes insert themselves.
 
+#include "read_rows.h"
+
 #include <CGAL/insert_points_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 
@@ -118,14 +120,8 @@ bool is_same_shape(const std::vector<Point>& points, double alpha, const std::st
 int main(int argc, char* argv[])
 {
   const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
-  char* end = nullptr;
-  const double alpha = argc > 2 ? std::strtod(argv[2], &end) : 0.05; // the square of a radius
-  if (argc > 2 && (end == argv[2] || *end != '\0' || !(alpha >= 0))) {
-    std::cerr << "expected alpha, the square of a radius, not '" << argv[2] << "'\n";
-    return EXIT_FAILURE;
-  }
   const std::string output = argc > 3 ? argv[3] : "";
-  std::error_code none; // the files differ if either is missing
+  std::error_code none; // they differ if one is missing
   if (!output.empty() && std::filesystem::equivalent(file_name, output, none)) {
     std::cerr << output << " is the input: name another file\n";
     return EXIT_FAILURE;
@@ -136,13 +132,16 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   try {
+    const double alpha = argc > 2 ? number_of(argv[2]) : 0.05; // the square of a radius
+    if (alpha < 0)
+      throw std::runtime_error("alpha is the square of a radius, which is not negative");
     const bool is_same =
         is_same_shape<Fixed_triangulation, Fixed_alpha_shape>(points, alpha, "Fixed_alpha_shape_3",
                                                               output) &&
         is_same_shape<General_triangulation, Alpha_shape>(points, alpha, "Alpha_shape_3");
     return is_same ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception& error) {
-    std::cerr << file_name << ": " << error.what() << '\n';
+    std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }
 }

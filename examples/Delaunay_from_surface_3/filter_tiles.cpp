@@ -127,7 +127,7 @@ int main(int argc, char* argv[])
   std::filesystem::remove_all(folder);
 
   std::cout << report.points << " points in " << report.tiles << " tiles, " << report.cells
-            << " cells, infinite ones too, of which " << small
+            << " finite and infinite cells, of which " << small
             << " have a radius of at most sqrt(3) / 2; " << cubes << " Voronoi cells are cubes\n";
   const std::size_t inner = side - 2;
   return cubes == inner * inner * inner && small > 5 * (side - 1) * (side - 1) * (side - 1)

@@ -33,9 +33,9 @@ def print_values(values, queries):
         tables.append(table)
     known, xi = tables
     triangulation = dfs.delaunay3(known[:, :3])
-    for interpolator in dfs.LinearInterpolator, dfs.NaturalNeighborInterpolator:
-        xi = np.column_stack([xi, interpolator(triangulation, known[:, 3])(tables[1])])
-    np.savetxt(sys.stdout, xi, "%.17g")
+    found = [interpolator(triangulation, known[:, 3])(xi)
+             for interpolator in (dfs.LinearInterpolator, dfs.NaturalNeighborInterpolator)]
+    np.savetxt(sys.stdout, np.column_stack([xi, *found]), "%.17g")
 
 
 def main():

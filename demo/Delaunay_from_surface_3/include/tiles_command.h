@@ -66,7 +66,7 @@ inline void report_tiles(const std::string& output, const CGAL::Tiles_report& re
   report("points told", result.told);
   report("points kept", result.kept);
   report("most points kept by a tile", result.most_kept);
-  report("cells, infinite ones too", result.cells);
+  report("finite and infinite cells", result.cells);
   report("certificate", "holds: the tiles are the Delaunay triangulation of all points, up to a "
                         "collision of hashes of 128 bits");
 }

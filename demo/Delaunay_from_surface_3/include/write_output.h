@@ -204,8 +204,7 @@ inline void report_inside(const std::string& input, const Surface& surface, cons
   report("tetrahedra in doubt", fraction(inside.number_of_doubtful, inside.winding_numbers.size()));
   report("volume in doubt", decimals(100 * inside.doubtful_volume, 4) + " % of that inside");
   report("openings", decimals(100 * inside.share_of_openings, 4) + " % of the surface's area");
-  report("faces not Delaunay", decimals(100 * inside.missing_area, 4) +
-                                   " % of the surface's area; what matters is what they cross");
+  report("faces not Delaunay", decimals(100 * inside.missing_area, 4) + " % of the surface's area");
   report("volume they cross",
          decimals(100 * inside.crossed_volume, 4) + " % of that crossed or inside");
   report("in several parts", inside.number_of_multiple);
