@@ -142,18 +142,18 @@ public:
     return m_neighbor;
   }
 
-  void note(Cell*, const Cell& cell, const Neighborhood& around, Conflict_zone&)
+  void note(Cell*, const Cell& cell, const Neighborhood& around, Announced_zone& zone)
   {
-    std::size_t &n = m_zone.number_of_cells, &f = m_zone.number_of_facets;
+    std::size_t &n = zone.number_of_cells, &f = zone.number_of_facets;
     for (unsigned k = 0; k < 4; ++k) {
       const Id neighbor = cell.neighbors[k], joins = Id(around.inside >> k & 1);
       std::uint8_t& own = own_mark(neighbor >> 2);
       store_relaxed(own, std::uint8_t(load_relaxed(own) | joins * Marks::set));
-      m_zone.words[n] = m_words[k];
-      m_zone.cells[n] = neighbor >> 2;
+      zone.words[n] = m_words[k];
+      zone.cells[n] = neighbor >> 2;
       n += joins;
-      m_zone.outside_words[f] = m_words[k];
-      m_zone.facets[f] = {
+      zone.outside_words[f] = m_words[k];
+      zone.facets[f] = {
           neighbor,
           {cell.v[facet_corners[k][0]], cell.v[facet_corners[k][1]], cell.v[facet_corners[k][2]]}};
       f += around.bounding() >> k & 1;
@@ -292,7 +292,7 @@ public:
   }
 
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS void
-  note(Cell*, const Cell& cell, const Announced_neighborhood& around, Conflict_zone&)
+  note(Cell*, const Cell& cell, const Announced_neighborhood& around, Announced_zone& zone)
   {
     const __m128i own =
         _mm_or_si128(around.own, _mm_cvtsi32_si128(int(bytes_of_bits(around.inside))));
@@ -300,11 +300,10 @@ public:
     *around.marks[1] = std::uint8_t(_mm_extract_epi8(own, 1));
     *around.marks[2] = std::uint8_t(_mm_extract_epi8(own, 2));
     *around.marks[3] = std::uint8_t(_mm_extract_epi8(own, 3));
-    Wide::store(m_zone.words.data() + m_zone.number_of_cells,
-                Wide::pack(around.words, around.inside));
-    Wide::store(m_zone.outside_words.data() + m_zone.number_of_facets,
+    Wide::store(zone.words.data() + zone.number_of_cells, Wide::pack(around.words, around.inside));
+    Wide::store(zone.outside_words.data() + zone.number_of_facets,
                 Wide::pack(around.words, around.bounding()));
-    Wide::append(m_zone, around, Wide::load_eight(cell.v), Wide::load(cell.neighbors));
+    Wide::append(zone, around, Wide::load_eight(cell.v), Wide::load(cell.neighbors));
   }
 
   bool is_still_true(const Cell* cells, std::size_t n) const
