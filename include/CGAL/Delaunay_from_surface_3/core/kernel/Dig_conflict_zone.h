@@ -55,12 +55,12 @@ struct Conflict_zone
 
   Conflict_zone() { make_room(64); }
 
-  // Makes room for a zone of n cells, which has at most 2 n + 2 facets, or 3 n + 1 if some cells were
-  // torn (Explore_announced.h), and for four more of either. Both arrays grow together: has_room(), asked at every cell, looks at one number.
+  // Makes room for a zone of n cells, which has at most 2 n + 2 facets, and for four more of
+  // either. Both arrays grow together: has_room(), asked at every cell, looks at one number.
   void make_room(std::size_t n)
   {
     cells.resize(n + 4);
-    facets.resize(3 * n + 8);
+    facets.resize(2 * n + 8);
     m_room = n;
   }
   bool has_room(std::size_t n) const { return n <= m_room; }

@@ -45,10 +45,12 @@ struct Announced_zone : Conflict_zone
 
   Announced_zone() { make_room(64); }
 
-  // Hides the function of the base, which has the same postcondition.
+  // Hides the function of the base, which has the same postcondition. Cells that others were writing
+  // may seem to have 3 n + 1 facets.
   void make_room(std::size_t n)
   {
     Conflict_zone::make_room(n);
+    facets.resize(3 * n + 8);
     words.resize(this->cells.size());
     copies.resize(this->cells.size());
     outside_words.resize(this->facets.size());
