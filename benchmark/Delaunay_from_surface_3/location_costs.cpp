@@ -47,14 +47,12 @@ using namespace theory;
 const char* const introduction =
     R"(Measures what it costs to locate points while a surface is inserted in the order of the paper.
 
-  location_costs --data-dir meshes --cache-dir surfaces --output location_costs.json
-
-Cells entered and predicate calls are counted in runs that are not timed.)";
+  location_costs --data-dir meshes --cache-dir surfaces --output location_costs.json)";
 
 struct Options
 {
   std::vector<std::string> surfaces;
-  std::vector<std::size_t> sizes, time_sizes = {16384, 131072, 1048576}, subgraph_sizes, work_sizes;
+  std::vector<std::size_t> sizes, subgraph_sizes, work_sizes;
   std::size_t hypothesis_size = 32768, threads = 1, seeds = 5;
   std::string data_dir, cache_dir;
   unsigned int seed = 0;
@@ -223,23 +221,9 @@ Json count(const Theory_surface& surface, std::size_t size, unsigned int seed)
   Json result = {{"surface", surface.name}, {"size", size}};
   result.update(counts_on(indexed, seed));
   const Mesh mesh = surfaces::to_mesh<Mesh>(indexed);
-  for (const Whole_run& run : whole_runs())
-    if (run.count)
-      result["locations"][run.name] = run.count(mesh, seed);
+  for (const auto& [name, count_of] : whole_runs())
+    result["locations"][name] = count_of(mesh, seed);
   return result;
-}
-
-Json time(const Theory_surface& surface, std::size_t size, unsigned int seed)
-{
-  const Mesh mesh = surfaces::to_mesh<Mesh>(surface.make(size));
-  Json seconds;
-  for (const Whole_run& run : whole_runs())
-    seconds[run.name] = run.time(mesh, seed);
-  return {{"surface", surface.name},
-          {"size", size},
-          {"points", mesh.number_of_vertices()},
-          {"load_average", rounded(comparison::load_average(), 100)},
-          {"seconds", seconds}};
 }
 
 // T and the surface, changed so that T is no longer in D(S).
@@ -396,8 +380,7 @@ void count_work(const Options& options, const comparison::Program& program, Json
 }
 
 // Calls measure(surface, size, seed) for all surfaces and sizes, smaller sizes first, and hands every
-// result to keep() as soon as it is there. Counts depend on nothing that other threads do; times
-// do.
+// result to keep() as soon as it is there. Counts depend on nothing that other threads do.
 template <class Keep>
 void everywhere(const std::vector<Theory_surface>& surfaces, const std::vector<std::size_t>& sizes,
                 unsigned int seed, std::size_t number_of_threads,
@@ -443,7 +426,7 @@ void measure_into(const Options& options, const comparison::Program& program, Js
   }
   const std::vector<Theory_surface> surfaces = chosen_surfaces(options);
   describe(surfaces, report);
-  for (const char* list : {"results", "hypothesis", "subgraphs", "times"})
+  for (const char* list : {"results", "hypothesis", "subgraphs"})
     report[list] = Json::array();
   const auto keep_in = [&](const char* list) {
     return [&report, &program, list](const Json& result) {
@@ -460,7 +443,6 @@ void measure_into(const Options& options, const comparison::Program& program, Js
     if (options.hypothesis_size > 0 && surface.meets_assumptions)
       break_hypothesis(surface, options, program, report);
   everywhere(surfaces, options.sizes, options.seed, options.threads, count, keep_in("results"));
-  everywhere(surfaces, options.time_sizes, options.seed, 1, time, keep_in("times"));
 }
 
 } // namespace
@@ -478,8 +460,6 @@ int main(int argc, char** argv)
                  "--work-sizes cube, torus, hub, genus-50, and with --rounds tube");
   program.option("sizes", o.sizes, "N...",
                  "numbers of points to count at; default: the powers of 2 from 1024 to 1048576");
-  program.option("time-sizes", o.time_sizes, "N...",
-                 "numbers of points to measure times at; default: 16384 131072 1048576");
   program.option("hypothesis-size", o.hypothesis_size, "N",
                  "number of points with which the hypothesis is made to fail; 0: not at all");
   program.option("subgraph-sizes", o.subgraph_sizes, "N...",
@@ -496,7 +476,7 @@ int main(int argc, char** argv)
   program.option("cache-dir", o.cache_dir, "FOLDER",
                  "where surfaces are kept that take minutes to make");
   program.option("threads", o.threads, "N",
-                 "how many surfaces to count on at a time; times are measured one at a time");
+                 "how many surfaces to count on at a time");
   program.option("seed", o.seed, "N", "of surfaces and insertion orders");
   return program.run(argc, argv, [&](Json& report) { measure_into(o, program, report); });
 }
