@@ -146,7 +146,7 @@ class Exactness(unittest.TestCase):
                               (np.vstack([1e-100 * random_points(60), 1e300 * (random_points(4) + .1)]), 5e-101)):
             plain = dfs.delaunay3(points).alpha_complex(alpha)
             weighted = dfs.delaunay3(points, weights=np.zeros(len(points))).alpha_complex(alpha)
-            self.assertEqual([len(rows) for rows in plain], [len(rows) for rows in weighted][:3])
+            self.assertEqual([len(rows) for rows in plain], [len(rows) for rows in weighted])
             self.assertEqual(plain.triangles.tolist(), weighted.triangles.tolist())
         for seed in (13, 43):
             random = np.random.default_rng(seed)

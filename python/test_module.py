@@ -536,6 +536,7 @@ class AsScipy(unittest.TestCase):
             self.assertTrue((found.simplices == np.flatnonzero(ours.circumradii <= alpha)).all())
             triangles = cell_set(found.triangles)
             edges = cell_set(found.edges)
+            np.testing.assert_array_equal(found.vertices, np.arange(60))
             for cell in ours.simplices[found.simplices].tolist():
                 self.assertTrue({tuple(sorted(c)) for c in itertools.combinations(cell, 3)} <= triangles)
             for triangle in triangles:

@@ -475,8 +475,7 @@ int main(int argc, char** argv)
                  "where bunny00.off and armadillo.off are (Debian: libcgal-demo)");
   program.option("cache-dir", o.cache_dir, "FOLDER",
                  "where surfaces are kept that take minutes to make");
-  program.option("threads", o.threads, "N",
-                 "how many surfaces to count on at a time");
+  program.option("threads", o.threads, "N", "how many surfaces to count on at a time");
   program.option("seed", o.seed, "N", "of surfaces and insertion orders");
   return program.run(argc, argv, [&](Json& report) { measure_into(o, program, report); });
 }

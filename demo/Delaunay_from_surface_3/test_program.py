@@ -43,6 +43,11 @@ def squared_power_radius(points, weights=(0, 0, 0, 0)):
     return sum(x * x for x in center) - weights[0], [a + x for a, x in zip(points[0], center)]
 
 
+def volume_of_origin(a, b, c):
+    """That of the tetrahedron of the origin and three points."""
+    return sum(a[i] * (b[(i + 1) % 3] * c[(i + 2) % 3] - b[(i + 2) % 3] * c[(i + 1) % 3]) for i in range(3)) / 6
+
+
 def circumradius(points):
     return squared_power_radius(points)[0] ** 0.5
 
@@ -420,7 +425,7 @@ class Output(ProgramCase):
                            ([*sides, *other], "sheets that touch in a vertex, or points given twice")):
             self.write("a.off", "OFF", f"7 {len(faces)} 0", *corners, *faces)
             self.works("a.off", "--inside", "-o", "a.vtu", prints=[
-                rf"\nnot closed: +{why}\n", r"\nfaces turned: +0\n", r"\ntetrahedra in doubt: +\d+ of \d+ ",
+                rf"\nnot closed: +{why}\nvolume inside: +[0-9.]+\n", r"\nfaces turned: +0\n", r"\ntetrahedra in doubt: +\d+ of \d+ ",
                 r"\nvolume in doubt: +[0-9.]+ % of that inside\n", r"\nopenings: +[0-9.]+ % of the surface's area\n",
                 r"\nfaces not Delaunay: +[0-9.]+ % of the surface's area\n", r"\nvolume they cross: +[0-9.]+ % of that crossed or inside\n",
                 r"\nin several parts: +0\n"],
@@ -446,6 +451,9 @@ class Output(ProgramCase):
 
         values, whole, numbers = inside("whole.off", faces)
         self.assertEqual((values["faces_turned"], len(numbers), set(whole)), (0, 1, {"0", "1"}))
+        corners = [[float(x) for x in line.split()] for line in lines[first - 960:first]]
+        volume = sum(volume_of_origin(*(corners[int(i)] for i in line.split()[1:])) for line in faces)
+        self.assertAlmostEqual(values["volume_inside"], volume, delta=.05 * volume)
         self.assertNotIn("not closed", values)
         flipped = [" ".join([*line.split()[:2], *line.split()[:1:-1]]) for line in faces[300:310]]
         for name, some in (("holes.off", faces[:100] + faces[104:]), ("flips.off", faces[:300] + flipped + faces[310:]),

@@ -208,6 +208,14 @@ public:
     add(key, decimals(value, digits), std::isfinite(value) ? decimals(value, digits) : "null");
   }
 
+  // Adds a number with nine significant digits.
+  void operator()(const std::string& key, double value)
+  {
+    std::ostringstream digits;
+    digits << std::setprecision(9) << value;
+    add(key, digits.str(), std::isfinite(value) ? digits.str() : "null");
+  }
+
   // Adds a table of numbers and words; the first `words` columns are words.
   void table(const std::string& key, const std::vector<std::string>& columns, std::size_t words,
              const std::vector<std::vector<std::string>>& rows)

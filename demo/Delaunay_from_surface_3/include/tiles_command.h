@@ -182,8 +182,14 @@ inline int run_tiles_command(Tiles_command& command)
     tiles.do_task(points, command.options, *command.task);
     return EXIT_SUCCESS;
   }
+  const bool was_done =
+      std::filesystem::exists(std::filesystem::path(command.output) / "tiles.json") &&
+      tiles.next(points, command.options).number == 0;
   const CGAL::Tiles_report result = tiles.run(points, command.options);
   messages.clear();
+  if (was_done)
+    messages.note(command.output +
+                  ": an earlier run wrote these tiles; nothing was left to be done");
   Report report(std::cout, command.style());
   report_tiles(command.output, result, report);
   if (cells)

@@ -194,12 +194,30 @@ inline CGAL::Inside_3 inside_of(const Surface& surface, const Arrays& arrays, bo
   }
 }
 
+// Returns the volume of the tetrahedra that are inside.
+inline double volume_inside(const Surface& surface, const Arrays& arrays,
+                            const CGAL::Inside_3& inside)
+{
+  double volume = 0;
+  for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c)
+    if (inside[c]) {
+      std::array<double, 3> corners[4];
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto& p = surface.points[std::size_t(arrays.vertices(c)[k])];
+        corners[k] = {p.x(), p.y(), p.z()};
+      }
+      volume += CGAL::Delaunay_from_surface_3::internal::volume_of(corners);
+    }
+  return volume;
+}
+
 // Reports in figures how sure the winding numbers are, and warns if they are not.
 inline void report_inside(const std::string& input, const Surface& surface, const Arrays& arrays,
                           const CGAL::Inside_3& inside, Report& report, Messages& messages)
 {
   if (!is_closed_mesh(surface))
     report("not closed", why_not_closed(surface, arrays));
+  report("volume inside", volume_inside(surface, arrays, inside));
   report("faces turned", inside.number_of_turned);
   report("tetrahedra in doubt", fraction(inside.number_of_doubtful, inside.winding_numbers.size()));
   report("volume in doubt", decimals(100 * inside.doubtful_volume, 4) + " % of that inside");

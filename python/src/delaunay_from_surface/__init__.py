@@ -31,7 +31,7 @@ from ._interpolation import LinearInterpolator, NaturalNeighborInterpolator
 from ._moving import Changes, Moving
 from ._periodic import Periodic3, PeriodicAlphaComplex, PeriodicNeighbors, PeriodicRegular3, SimplexCopies, periods_of
 from ._progress import Bar, shown
-from ._regular import Regular3, WeightedAlphaComplex
+from ._regular import Regular3
 from ._result import AlphaComplex, Delaunay3, InsideFigures
 from ._tiles import Tile, Tiles, delaunay3_tiles
 from ._types import ArrayLike, Box, Faces, Indices, Points, Progress, Reals
@@ -40,7 +40,7 @@ __all__ = ["AlphaComplex", "CellPolyhedron", "Changes", "DaskTiles", "Delaunay3"
            "InsertionOrder", "InsideFigures", "LinearInterpolator", "Moving", "NaturalNeighborInterpolator",
            "Periodic3", "PeriodicAlphaComplex", "PeriodicNeighbors", "PeriodicPowerFacets", "PeriodicRegular3",
            "PowerFacets", "Regular3", "SimplexCopies", "Stopped", "SurfaceComponent", "Tile", "Tiles",
-           "WeightedAlphaComplex", "delaunay3", "delaunay3_batch", "delaunay3_dask", "delaunay3_tiles",
+           "delaunay3", "delaunay3_batch", "delaunay3_dask", "delaunay3_tiles",
            "filtration", "subgraph", "surface_topology"]
 
 

@@ -13,24 +13,8 @@ import numpy as np
 
 from . import _delaunay_from_surface as _core
 from ._cells import CellPolyhedron, PowerFacets
-from ._result import Delaunay3
+from ._result import AlphaComplex, Delaunay3
 from ._types import Indices, Radius, Reals, Spheres
-
-
-class WeightedAlphaComplex(NamedTuple):
-    """The simplices of `Regular3.alpha_complex()`."""
-
-    simplices: Indices
-    """(j,) int32: numbers of tetrahedra, ascending."""
-
-    triangles: Indices
-    """(k, 3) int32: indices of points, ascending; those of the tetrahedra included."""
-
-    edges: Indices
-    """(e, 2) int32: the same."""
-
-    vertices: Indices
-    """(v,) int32: the same."""
 
 
 class Regular3(Delaunay3):
@@ -113,7 +97,7 @@ class Regular3(Delaunay3):
         """
         return self._cell("power_cell", i)
 
-    def alpha_complex(self, alpha: Radius) -> WeightedAlphaComplex:  # type: ignore[override]
+    def alpha_complex(self, alpha: Radius) -> AlphaComplex:
         """Return the weighted alpha complex: the simplices with an empty orthogonal sphere whose squared radius is at most
         the square of `alpha`, and all their faces. Which sphere is empty is decided exactly; radii are rounded, but no face has a
         larger one than what it bounds.
@@ -122,8 +106,7 @@ class Regular3(Delaunay3):
         `alpha=0` that of the balls given by the weights. An empty orthogonal sphere has the same power to all corners, and
         no less to any other point.
         """
-        simplices, ((vertices, _), (edges, _), (triangles, _)) = self._faces_up_to(alpha)
-        return WeightedAlphaComplex(simplices, triangles, edges, vertices[:, 0])
+        return super().alpha_complex(alpha)
 
     def _squared_radii(self, exponent: int) -> None:
         """Those of the alpha complex are not `squared_power_radii`, whose digits may have gone in a difference."""

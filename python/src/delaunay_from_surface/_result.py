@@ -22,7 +22,7 @@ NAMES = {3: "tetrahedra", 2: "triangles", 1: "segments", 0: "vertices", -1: "sim
 
 
 class AlphaComplex(NamedTuple):
-    """The simplices of `Delaunay3.alpha_complex()`."""
+    """The simplices of `Delaunay3.alpha_complex()` or `Regular3.alpha_complex()`."""
 
     simplices: Indices
     """(j,) int32: numbers of tetrahedra, ascending."""
@@ -32,6 +32,9 @@ class AlphaComplex(NamedTuple):
 
     edges: Indices
     """(e, 2) int32: the same."""
+
+    vertices: Indices
+    """(v,) int32: the same."""
 
 
 class InsideFigures(NamedTuple):
@@ -336,8 +339,8 @@ class Delaunay3(Cells):
         Its tetrahedra are those with a circumradius of at most `alpha`. `alpha` is a radius, not a square. For all radii at
         once see `filtration`.
         """
-        simplices, (_, (edges, _), (triangles, _)) = self._faces_up_to(alpha)
-        return AlphaComplex(simplices, triangles, edges)
+        simplices, ((vertices, _), (edges, _), (triangles, _)) = self._faces_up_to(alpha)
+        return AlphaComplex(simplices, triangles, edges, vertices[:, 0])
 
     def minimum_spanning_tree(self) -> Indices:
         """Return a Euclidean minimum spanning tree of the vertices: (k, 2) int32, from the shortest edge to the longest.
