@@ -60,7 +60,7 @@ struct Thread_clock
 // touched just before it is used, and timed; the first that is dear is the last. Each array finds
 // out for itself, since a page that was dear a moment ago may be cheap now, and no state has to
 // outlive the array: it loses one page at most. Arrays that are too small to gain as much take no
-// large pages; glibc maps the others aside, so that no advice stays with the heap.
+// large pages. glibc maps the others aside, unless the heap's end has room: there advice stays.
 class Large_pages
 {
 public:
