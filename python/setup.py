@@ -71,4 +71,5 @@ setup(
         include_dirs=["include", os.path.relpath(ROOT, HERE), os.path.relpath(ROOT / "include", HERE)],
         define_macros=[("DELAUNAY_FROM_SURFACE_3_VERSION", f'"{VERSION}"'),
                        ("CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED", None)],
+        depends=[os.path.relpath(file, HERE) for folder in (HERE, ROOT) for file in sorted((folder / "include").rglob("*.h"))],
         cxx_std=17)])

@@ -124,27 +124,37 @@ std::size_t memory(const char* name)
          std::strtoull(comparison::value_in_file("/proc/self/status", name).c_str(), nullptr, 10);
 }
 
+// Returns the number of finite tetrahedra that a call has made.
+using Tetrahedra = std::function<std::size_t()>;
+
 // Each is called once, and what it makes is not destroyed.
-Json what_it_takes(const std::function<std::size_t()>& call)
+Json what_it_takes(const std::function<Tetrahedra()>& call)
 {
   std::ofstream("/proc/self/clear_refs") << "5"; // the peak of the reading is forgotten
   const std::size_t before = memory("VmRSS");
   rusage begin = {}, end = {};
   getrusage(RUSAGE_SELF, &begin);
   const double start = comparison::Steady_seconds()();
-  const std::size_t cells = call();
+  const Tetrahedra tetrahedra = call();
   const double wall = comparison::Steady_seconds()() - start;
   getrusage(RUSAGE_SELF, &end);
-  return {{"cells", cells},
+  const std::size_t peak = memory("VmHWM");
+  return {{"tetrahedra", tetrahedra()},
           {"wall", comparison::rounded(wall)},
           {"user", comparison::rounded(seconds(end.ru_utime) - seconds(begin.ru_utime))},
           {"system", comparison::rounded(seconds(end.ru_stime) - seconds(begin.ru_stime))},
           {"faults", end.ru_minflt - begin.ru_minflt + end.ru_majflt - begin.ru_majflt},
           {"bytes_before", before},
-          {"bytes_at_peak", memory("VmHWM")}};
+          {"bytes_at_peak", peak}};
 }
 
-using Methods = std::map<std::string, std::function<std::size_t()>>;
+using Methods = std::map<std::string, std::function<Tetrahedra()>>;
+
+template <class Tr>
+Tetrahedra tetrahedra_of(const Tr& tr)
+{
+  return [&tr] { return std::size_t(tr.number_of_finite_cells()); };
+}
 
 template <class Concurrency_tag>
 Methods methods(Triangulation& tr, const files::Polygon_soup& soup)
@@ -154,32 +164,51 @@ Methods methods(Triangulation& tr, const files::Polygon_soup& soup)
   const auto& faces = soup.faces;
   return {
       {"default",
-       [&] { return insert_points_3<Concurrency_tag>(tr, points, faces), tr.number_of_cells(); }},
-      {"points",
-       [&] { return insert_points_3<Concurrency_tag>(tr, points), tr.number_of_cells(); }},
+       [&] { return insert_points_3<Concurrency_tag>(tr, points, faces), tetrahedra_of(tr); }},
+      {"points", [&] { return insert_points_3<Concurrency_tag>(tr, points), tetrahedra_of(tr); }},
       {"arrays",
        [&] {
-         return (new auto(CGAL::delaunay_3_arrays<std::int32_t, Concurrency_tag>(points, faces)))
-             ->number_of_cells();
+         auto* const arrays =
+             new auto(CGAL::delaunay_3_arrays<std::int32_t, Concurrency_tag>(points, faces));
+         return [arrays] { return arrays->number_of_simplices(); };
        }},
   };
 }
+
+#if defined(CGAL_LINKED_WITH_TBB)
+// Plain CGAL by many threads, with the grid of locks of its manual's example.
+Tetrahedra insert_by_parallel_cgal(const files::Polygon_soup& soup)
+{
+  using Tds =
+      CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_3<CGAL::Epick>,
+                                           CGAL::Delaunay_triangulation_cell_base_3<CGAL::Epick>,
+                                           CGAL::Parallel_tag>;
+  using Parallel_triangulation = CGAL::Delaunay_triangulation_3<CGAL::Epick, Tds>;
+  const auto box = CGAL::bbox_3(soup.points.begin(), soup.points.end());
+  auto* const locks = new Parallel_triangulation::Lock_data_structure(box, 50);
+  auto* const tr = new Parallel_triangulation(CGAL::Epick(), locks);
+  tr->insert(soup.points.begin(), soup.points.end());
+  return tetrahedra_of(*tr);
+}
+#endif
 
 Json call_once(const std::string& method, std::size_t threads, const files::Polygon_soup& soup)
 {
   auto& tr = *new Triangulation;
   Methods all = threads == 1 ? methods<CGAL::Sequential_tag>(tr, soup)
                              : methods<CGAL::Parallel_if_available_tag>(tr, soup);
-  all["plain"] = [&] { return insert_once_by_plain_cgal(tr, soup), tr.number_of_cells(); };
-  const auto found = all.find(method);
-  if (found == all.end())
-    throw std::runtime_error("no method " + method + ": plain, default, points or arrays");
+  all["plain"] = [&] { return insert_once_by_plain_cgal(tr, soup), tetrahedra_of(tr); };
 #if defined(CGAL_LINKED_WITH_TBB)
+  all["parallel"] = [&] { return insert_by_parallel_cgal(soup); };
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
 #else
   if (threads != 1)
     throw std::runtime_error("built without TBB, so with one thread");
 #endif
+  const auto found = all.find(method);
+  if (found == all.end())
+    throw std::runtime_error("no method " + method +
+                             ": plain, parallel, default, points or arrays");
   Json report = what_it_takes(found->second);
   report["points"] = soup.points.size();
   return report;
@@ -254,7 +283,7 @@ try {
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (words.empty() || words.size() > 3 || words[0] == "--help") {
     std::cerr << "usage: insert_once MESH\n"
-                 "       insert_once MESH plain|default|points|arrays [THREADS]\n"
+                 "       insert_once MESH plain|parallel|default|points|arrays [THREADS]\n"
                  "       insert_once MESH --order plain|traces|spatial-sort|nets|paper\n"
                  "       insert_once --touch BYTES\n";
     return words.size() == 1 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -7,7 +7,8 @@
 wall time, user and system time and their sum (of a few milliseconds the system knows only the sum), page faults, and peak
 memory beyond what was there before the call, the mesh included. On a busy machine the wall time says nothing.
 
-Plain CGAL and the package take turns. Another program can take part: insert_once built from another revision. Before
+Plain CGAL and the package take turns. Other programs can take part: insert_once built from another revision, and peers, which
+take a file of points and print what they took (see README.md). Before
 the calls for a mesh a process touches as much memory as the largest of them needs, so that a virtual machine has it from
 its host; the times of these touches are in the JSON, too. Then come the calls, first one after the other, then each after
 a rest, in which the host may take free memory back.
@@ -15,54 +16,79 @@ a rest, in which the host may take free memory back.
   measure_single_calls.py MESH... --program ./insert_once --rest 0 4 --output single_calls.json"""
 
 import argparse
+import array
 import json
 import os
 import platform
+import re
 import shlex
 import statistics
+import struct
 import subprocess
 import sys
+import tempfile
 import time
+from functools import partial
 from pathlib import Path
 
 KEYS = ("wall", "cpu", "user", "system", "faults", "bytes_above")
 
 
 def output_of(*command):
-    return json.loads(subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout)
+    return subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout
 
 
 def call(program, mesh, method):
     """`method` may end with a colon and a number of threads."""
-    result = output_of(program, str(mesh), *method.split(":"))
+    result = json.loads(output_of(program, str(mesh), *method.split(":")))
     result["cpu"] = result["user"] + result["system"]
     result["bytes_above"] = result["bytes_at_peak"] - result["bytes_before"]
     return result
 
 
+def call_peer(command, points):
+    words = dict(line.split(" ", 1) for line in output_of(*shlex.split(command), points).splitlines() if " " in line)
+    result = {key: float(words[f"{key}_seconds"]) for key in ("wall", "cpu", "user", "system")}
+    return {**result, "tetrahedra": int(words["tetrahedra"]), "threads": int(words["threads"]), "library": words.get("library", "CGAL")}
+
+
+def write_points(mesh, file):
+    """The vertices of a mesh in OFF, as peers read them."""
+    words = re.sub("#.*", "", mesh.read_text()).split()
+    if words[:1] != ["OFF"]:
+        sys.exit(f"{mesh}: peers need a mesh in OFF")
+    points = array.array("d", map(float, words[4:4 + 3 * int(words[1])]))
+    file.write(struct.pack("<Q", int(words[1])))
+    points.tofile(file)
+    file.flush()
+
+
 def measured(mesh, calls, options):
     """One entry for each length of rest: what each call took."""
-    once = {name: call(command["program"], mesh, command["method"]) for name, command in calls.items()}
-    if len({result["cells"] for result in once.values()}) != 1:
-        sys.exit(f"{mesh}: the numbers of cells differ")
-    peak = max(result["bytes_at_peak"] for result in once.values())
+    once = {name: run(mesh) for name, run in calls.items()}
+    ours = {name: result for name, result in once.items() if "library" not in result}
+    if len({result["tetrahedra"] for result in ours.values() if "tetrahedra" in result}) != 1:  # old revisions do not tell
+        sys.exit(f"{mesh}: the numbers of tetrahedra differ")
+    peak = max(result["bytes_at_peak"] for result in ours.values())
     for rest in options.rest:
-        touched = output_of(options.program, "--touch", str(peak))
+        touched = json.loads(output_of(options.program, "--touch", str(peak)))
         runs = {name: [] for name in calls}
         for repetition in range(options.repetitions):
             names = list(calls) if repetition % 2 == 0 else list(calls)[::-1]
             for name in names:
                 time.sleep(rest)
-                runs[name].append(call(calls[name]["program"], mesh, calls[name]["method"]))
-        first = next(iter(once.values()))
-        result = {"mesh": mesh.name, "points": first["points"], "cells": first["cells"], "rest": rest, "touched": touched}
+                runs[name].append(calls[name](mesh))
+        first = once["plain"]
+        result = {"mesh": mesh.name, "points": first["points"], "tetrahedra": first["tetrahedra"], "rest": rest, "touched": touched}
         result["calls"] = {name: summary(of_name) for name, of_name in runs.items()}
         yield result
 
 
 def summary(runs):
-    medians = {f"median_{key}": round(statistics.median(run[key] for run in runs), 6) for key in KEYS}
-    return {**medians, "cpu": [round(run["cpu"], 6) for run in runs]}
+    result = {f"median_{key}": round(statistics.median(run[key] for run in runs), 6) for key in KEYS if key in runs[0]}
+    if "library" in runs[0]:
+        result.update((key, runs[0][key]) for key in ("library", "threads", "tetrahedra"))
+    return {**result, "cpu": [round(run["cpu"], 6) for run in runs]}
 
 
 def cpu():
@@ -75,16 +101,20 @@ def main():
     parser.add_argument("meshes", type=Path, nargs="+", metavar="MESH")
     parser.add_argument("--program", default="./insert_once", help="insert_once")
     parser.add_argument("--other", default=[], nargs="+", metavar="NAME=PROGRAM", help="insert_once of other revisions")
-    parser.add_argument("--methods", default=["default"], nargs="+", help="beside plain: default, points, arrays, default:2 by two threads, …")
+    parser.add_argument("--methods", default=["default"], nargs="+", help="beside plain: default, points, arrays, default:2 by two threads, …, parallel:2")
+    parser.add_argument("--peer", default=[], nargs="+", metavar="NAME=COMMAND", help="programs that take a file of points; then meshes are OFF")
     parser.add_argument("--repetitions", type=int, default=21, metavar="N")
     parser.add_argument("--rest", type=float, default=[0, 4], nargs="+", metavar="SECONDS", help="before each call")
     parser.add_argument("--output", type=Path, default=Path("single_calls.json"), metavar="FILE")
     options = parser.parse_args()
-    calls = {"plain": {"program": options.program, "method": "plain"}}
-    for method in options.methods:
-        calls[method] = {"program": options.program, "method": method}
-        for name, program in (other.split("=", 1) for other in options.other):
-            calls[f"{method}, {name}"] = {"program": program, "method": method}
+    calls = {}
+    for method in ["plain", *options.methods]:
+        calls[method] = partial(call, options.program, method=method)
+        for name, program in (other.split("=", 1) for other in options.other if method != "plain"):
+            calls[f"{method}, {name}"] = partial(call, program, method=method)
+    points = tempfile.NamedTemporaryFile()
+    for name, command in (peer.split("=", 1) for peer in options.peer):
+        calls[name] = lambda _, command=command: call_peer(command, points.name)
     report = {
         "program": "measure_single_calls.py",
         "command": shlex.join(["measure_single_calls.py", *sys.argv[1:]]),
@@ -93,12 +123,16 @@ def main():
         "results": [],
     }
     for mesh in options.meshes:
+        if options.peer:
+            points.seek(0)
+            points.truncate()
+            write_points(mesh, points)
         for result in measured(mesh, calls, options):
             report["results"].append(result)
             plain = result["calls"]["plain"]
             for name, of_name in result["calls"].items():
                 print(f"{mesh.name}, rest {result['rest']:g}: {name}: " + ", ".join(
-                    f"{key} {of_name[f'median_{key}']:g}" for key in KEYS)
+                    f"{key} {of_name[f'median_{key}']:g}" for key in KEYS if f"median_{key}" in of_name)
                     + f"; plain / this {plain['median_wall'] / of_name['median_wall']:.2f} by wall, "
                     f"{plain['median_cpu'] / of_name['median_cpu']:.2f} by cpu", flush=True)
     report["machine"]["load_after"] = round(os.getloadavg()[0], 2)

@@ -61,7 +61,6 @@ constexpr std::uint64_t seed = 2024;
 struct Watch : CGAL::Default_surface_insertion_visitor_3
 {
   double plan = 0, insertion = 0, finish = 0;
-  double export_begins = 0; // on the clock
   DFS::Insertion_counts counts;
 
   void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t)
@@ -75,8 +74,6 @@ struct Watch : CGAL::Default_surface_insertion_visitor_3
      : phase == Phase::FINISH ? insertion
                               : finish) += phase == Phase::PLAN ? 0 : now - m_since;
     m_since = now;
-    if (phase == Phase::FINISH)
-      export_begins = now;
   }
   template <class Target, class Hints>
   void insertion_ends(const Target& target, const Hints&)
@@ -189,9 +186,7 @@ private:
   {
     Triangulation tr;
     Watch watch;
-    const double begin = comparison::Steady_seconds()();
     m_ours[threads].add([&] { insert(tr, m_surface, threads, watch); });
-    m_until_export[threads].push_back(watch.export_begins - begin);
     m_watches[threads] = watch;
     if (expected && tr != *expected)
       throw std::runtime_error("not equal to plain CGAL");
@@ -222,7 +217,6 @@ private:
     Json result = {{"plain", m_plain.json()}, {"plain_parallel", m_plain_parallel.json()}};
     for (const std::size_t threads : m_options.threads) {
       Json of_threads = m_ours.at(threads).json();
-      of_threads["median_until_export"] = rounded(comparison::median(m_until_export.at(threads)));
       of_threads["phases"] = phases(m_watches.at(threads));
       result["threads_" + std::to_string(threads)] = of_threads;
       result["arrays_" + std::to_string(threads)] = m_arrays.at(threads).json();
@@ -236,7 +230,6 @@ private:
   Times m_plain, m_plain_parallel;
   std::map<std::size_t, Times> m_ours, m_arrays;
   std::map<std::size_t, Watch> m_watches; // of the last turn
-  std::map<std::size_t, std::vector<double>> m_until_export;
   std::vector<comparison::Peer_record> m_peers;
   std::optional<comparison::Points_file> m_points;
   std::size_t m_tetrahedra = 0;

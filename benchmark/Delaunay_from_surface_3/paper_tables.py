@@ -63,18 +63,18 @@ def work_parts(report):
                   "updates: made/calls", "location from the root"], rows)
 
 
-def largest_by_surface(*reports):
+def largest_by_surface(report):
     """The largest result of location_costs on each surface, and those from 2^14 points on."""
     found = {}
-    for r in sorted((r for report in reports for r in report["results"]), key=lambda r: r["size"]):
+    for r in sorted(report["results"], key=lambda r: r["size"]):
         found.setdefault(r["surface"], []).append(r)
     return [(results[-1], [r for r in results if r["size"] >= 2**14]) for results in found.values()]
 
 
-def surfaces(*reports):
+def surfaces(report):
     """How far the assumptions hold, what the traces cross and enter, and what walks cost; all per point."""
     rows = []
-    for r, _ in largest_by_surface(*reports):
+    for r, _ in largest_by_surface(report):
         found, ways = r["assumptions"], r["locations"]
         walk = ways["walk-trace"]
         rows.append([
@@ -87,10 +87,10 @@ def surfaces(*reports):
                   "from the trace"], rows)
 
 
-def crossings(*reports):
+def crossings(report):
     """The largest value of a trace from 2^14 points on over the smallest."""
     factor = {}
-    for r, results in largest_by_surface(*reports):
+    for r, results in largest_by_surface(report):
         series = [[s["traces"][h]["crossings_per_point"] for s in results] for h in range(3)]
         if min(map(min, series)) > 0:
             factor[r["surface"]] = max(max(s) / min(s) for s in series)

@@ -317,50 +317,41 @@ def peers_of(result):
     return [peer for peer in result.get("peers", []) if "left_out" not in peer and "median_wall" in peer]
 
 
-def ratios_of_peers(report):
-    """{(threads, program): {surface: its time / that of this package until it has all tetrahedra}}"""
-    ratios = {}
+def beside_peers(report, key):
+    """{(threads, program): {surface: its time / that of arrays by as many threads}}; first plain CGAL / this package, into
+    CGAL's triangulation."""
+    ratios = {(1, "plain %CGAL"): {}, (2, "plain %CGAL"): {}}
     for result in report["results"]:
-        for peer in peers_of(result):
-            threads = peer.get("threads", 1)
-            ours = result["times"][f"threads_{threads}"]["median_until_export"]
-            ratios.setdefault((threads, library_of(peer)), {})[result["surface"]] = peer["median_wall"] / ours
-    return dict(sorted(ratios.items()))
-
-
-def plain_beside(report):
-    """Rows as those of peers(): whole calls of plain CGAL / of this package."""
-    times = [(result["surface"], result["times"]) for result in report["results"]]
-    for threads, plain in ((1, "plain"), (2, "plain_parallel")):
-        of = [t[plain]["median_wall"] / t[f"threads_{threads}"]["median_wall"] for _, t in times]
-        yield ["plain %CGAL, whole calls", str(threads), *map(two, of), two(geometric_mean(of))]
+        calls, surface = result["calls"], surface_of(result)
+        for threads, plain, ours in ((1, "plain", "default"), (2, "parallel:2", "default:2")):
+            ratios[threads, "plain %CGAL"][surface] = calls[plain][key] / calls[ours][key]
+        for peer in calls.values():
+            if "library" in peer:
+                ours = calls["arrays" if peer["threads"] == 1 else f'arrays:{peer["threads"]}']
+                ratios.setdefault((peer["threads"], peer["library"].split()[0]), {})[surface] = peer[key] / ours[key]
+    return ratios
 
 
 def peers(report):
-    surfaces = [result["surface"] for result in report["results"]]
-    rows = list(plain_beside(report))
-    rows += [[program, str(threads), *(two(of.get(surface)) for surface in surfaces), two(geometric_mean(of.values()))]
-            for (threads, program), of in ratios_of_peers(report).items()]
-    return "\n\n".join([measured(report), table(["program", "threads", *surfaces, "geometric mean"], rows),
-                        differences(report["results"])])
-
-
-def differences(results):
-    names = {result["surface"]: sorted({library_of(p) for p in peers_of(result) if not p["has_as_many_tetrahedra"]})
-             for result in results}
-    found = "; ".join(f"on {surface}: {', '.join(libraries)}" for surface, libraries in names.items() if libraries)
-    return f"Numbers of tetrahedra that differ from plain %CGAL's: {found or 'none'}."
+    """One thread by user time, and with the system's; two by the clock."""
+    surfaces = [surface_of(result) for result in report["results"]]
+    rows = []
+    for threads, key, what in ((1, "median_user", "user"), (1, "median_cpu", "user + system"), (2, "median_wall", "clock")):
+        rows += [[program, str(threads), what, *(two(of.get(surface)) for surface in surfaces), two(geometric_mean(of.values()))]
+                 for (of_threads, program), of in beside_peers(report, key).items() if of_threads == threads]
+    others = sorted({f'{peer["library"].split()[0]} on {surface_of(result)}' for result in report["results"]
+                     for peer in result["calls"].values() if peer.get("tetrahedra", result["tetrahedra"]) != result["tetrahedra"]})
+    return "\n\n".join([table(["program", "threads", "time", *surfaces, "geometric mean"], rows),
+                        f"Numbers of tetrahedra that differ from plain %CGAL's: {'; '.join(others) or 'none'}.", measured(report)])
 
 
 def peers_of_readme(report):
     """One sentence, of one thread."""
-    found = {}
-    for (threads, program), of in ratios_of_peers(report).items():
-        if threads == 1:
-            found[program] = range_of(of.values(), "{:.1f}")
-    times = ", ".join(f"{name} {times}" for name, times in found.items())
-    return (f"Time of other programs until all tetrahedra are computed / that of this package, on {len(report['results'])} "
-            f"surfaces and one thread: {times} ({cpu_of(report)}, {report['machine']['date']}).")
+    found = {program: range_of(of.values(), "{:.1f}") for (threads, program), of in beside_peers(report, "median_cpu").items()
+             if threads == 1 and program != "plain %CGAL"}
+    times = ", ".join(f"{name} {times}" for name, times in sorted(found.items()))
+    return (f"CPU time of other programs / that of arrays of this package, on {len(report['results'])} sets of points, one thread, "
+            f"each call in a process of its own: {times} ({cpu_of(report)}).")
 
 
 def tiles(report, number=64):

@@ -117,13 +117,6 @@ class Comparison(ProgramCase):
         result, = report["results"]
         self.assertIn("--peer again=", report["command"])
         self.check_peers(*result["peers"])
-        ours = result["times"]["threads_2"]
-        self.between(0, ours["median_until_export"], ours["median_wall"])
-
-        lines = speed_tables.peers({"name": "threads", **report}).splitlines()
-        self.assertIn("| program | threads | genus-3 | geometric mean |", lines)
-        self.assertRegex("\n".join(lines), r"\n\| again \| 1 \| \d+\.\d\d \|")
-        self.assertIn("Numbers of tetrahedra that differ from plain %CGAL's: none.", lines)
 
     def test_peers_that_take_weights(self):
         subprocess.run([os.path.abspath(os.environ["MEASURE_WEIGHTS"]), "--sizes", "1000", "2000", "-r", "2", *PEERS,
@@ -163,6 +156,29 @@ class Comparison(ProgramCase):
                 self.assertEqual(len(call["cpu"]), 2)
                 self.between(0, call["median_wall"], 100)
                 self.between(0, call["median_faults"], 1e5)
+
+    @unittest.skipUnless(MEASURE_THREADS, "skipped: peers beside single calls, as there are no threads")
+    def test_single_calls_beside_peers(self):
+        mesh = self.write("torus_1k.off", *TORUS.read_text().splitlines())
+        output = self.folder / "peers.json"
+        command = [sys.executable, HERE / "measure_single_calls.py", mesh, "--program", os.path.abspath(os.environ["INSERT_ONCE"]),
+                   "--rest", "0", "--repetitions", "1", "--methods", "default", "arrays", "default:2", "arrays:2", "parallel:2",
+                   "--output", output, "--peer"]
+        peers = {"again": PEER, **LIBRARIES}
+        subprocess.run([*command, *(f"{name}={peer}" for name, peer in peers.items())], check=True, stdout=subprocess.DEVNULL)
+        result, = json.loads(output.read_text())["results"]
+        for name in peers:
+            call = result["calls"][name]
+            self.assertEqual(call["tetrahedra"], result["tetrahedra"], name)
+            self.assertEqual(call["threads"], 1 + name.endswith("-2"), name)
+            self.between(0, call["median_wall"], 100)
+            self.assertAlmostEqual(call["median_cpu"], call["median_user"] + call["median_system"], 5)
+        lines = speed_tables.peers(read(output)).splitlines()
+        self.assertIn("| program | threads | time | torus | geometric mean |", lines)
+        self.assertRegex("\n".join(lines), r"\n\| CGAL \| 1 \| user \+ system \| \d+\.\d\d \|")
+        self.assertIn("Numbers of tetrahedra that differ from plain %CGAL's: none.", lines)
+        cube = self.write("cube.ply", "ply")
+        self.assertIn("cube.ply: ", subprocess.run([*command[:2], cube, *command[3:], f"again={PEER}"], capture_output=True, text=True).stderr)
 
     @unittest.skipUnless(shutil.which("valgrind"), "skipped: instructions of threads, as valgrind was not found")
     def test_critical_path(self):

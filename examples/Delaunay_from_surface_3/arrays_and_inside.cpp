@@ -95,10 +95,12 @@ int main(int argc, char* argv[])
     std::cout << arrays.number_of_simplices() << " tetrahedra; those inside have volume " << volume
               << " and " << skin << " facets to the outside; the surface encloses "
               << std::abs(enclosed) << '\n';
+    if (inside.doubtful_volume > 0.05)
+      std::cerr << std::lround(100 * inside.doubtful_volume)
+                << " % of this volume is in doubt, near openings: close them\n";
     if (inside.crossed_volume > 0.1)
-      std::cerr
-          << int(100 * inside.crossed_volume)
-          << " % of this volume may be wrong, as these tetrahedra cross the surface: refine it\n";
+      std::cerr << std::lround(100 * inside.crossed_volume)
+                << " % of this volume may be wrong, as tetrahedra cross the surface: refine it\n";
   } catch (const CGAL::Surface_input_error& error) {
     std::cerr << file_name << ": " << error.what() << '\n';
     return EXIT_FAILURE; // for example, an open patch has no inside

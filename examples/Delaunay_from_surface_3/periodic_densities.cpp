@@ -70,10 +70,18 @@ bool print_densities(const std::vector<Point>& points, const std::array<double, 
   }
   // [box]
 
-  const auto [smallest, largest] = std::minmax_element(volumes.begin(), volumes.end());
+  // Equal points are one vertex, which has the masses of all.
+  std::vector<double> densities(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto v = std::size_t(arrays.vertex_of_point(i));
+    densities[v] += 4 / volumes[v];
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    densities[i] = densities[std::size_t(arrays.vertex_of_point(i))];
+  const auto [smallest, largest] = std::minmax_element(densities.begin(), densities.end());
   std::cout << arrays.number_of_simplices() << " tetrahedra, of " << points.size() << " points and "
             << arrays.number_of_copies() << " copies; their volume is " << all << "\n"
-            << "from " << 4 / *largest << " to " << 4 / *smallest << " points per unit of volume\n";
+            << "from " << *smallest << " to " << *largest << " points per unit of volume\n";
   return std::abs(all - box[0] * box[1] * box[2]) < 1e-9 * all;
 }
 

@@ -7,6 +7,7 @@
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/cad.h>
+#include <Delaunay_from_surface_3_surfaces/clusters.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/io.h>
@@ -86,6 +87,12 @@ Surfaces that mislead:
   sentinels       thick sphere, every twentieth z is 2^k
   all-equal       points at one place
   room            six walls that bulge inwards, and a point in the middle that sees them all
+
+Points without faces:
+  cube            random points of a cube
+  plummer         a star cluster
+  soneira-peebles clusters of clusters, on nine levels
+  boxes           turned boxes of very different sizes, in float coordinates
 
 Options)";
 
@@ -213,6 +220,10 @@ Indexed_surface make_shape(const po::variables_map& options)
       {"far-points", [&] { return surfaces::far_points(n, exponent(options), seed); }},
       {"sentinels", [&] { return surfaces::sentinels(n, exponent(options), seed); }},
       {"all-equal", [&] { return surfaces::all_equal(n); }},
+      {"cube", [&] { return surfaces::points_in_box(n, 1, 1, 1, seed); }},
+      {"plummer", [&] { return surfaces::plummer_sphere(n, seed); }},
+      {"soneira-peebles", [&] { return surfaces::soneira_peebles(n, seed); }},
+      {"boxes", [&] { return surfaces::boxes_of_gaussians(n, seed); }},
       {"room", [&] { return surfaces::room(n, seed); }},
       {"nearly-flat", [&] { return surfaces::nearly_flat(n, 1e-12, seed); }},
       {"loop",

@@ -21,7 +21,9 @@ class Generate_surface(ProgramCase):
         self.works("--shape", "sphere", "--vertices", 100, "--noise", 0.01, "--output", "sphere.ply", "--check",
                    prints=["100 vertices, 196 faces", "1 components, Euler characteristic 2"])
         self.works("--shape", "loop", "--input", TORUS, "--output", "loop.off", prints=["3840 vertices, 7680 faces"])
-        self.assertEqual(sorted(self.files()), ["loop.off", "sphere.ply"])
+        for name in ("cube", "plummer", "soneira-peebles", "boxes"):  # points without faces
+            self.works("--shape", name, "--vertices", 9000, "--output", "points.off", prints=[r"\d+ vertices, 0 faces"])
+        self.assertEqual(sorted(self.files()), ["loop.off", "points.off", "sphere.ply"])
 
     def test_numbers_without_sense(self):
         for number in ("inf", "nan", "-inf"):

@@ -5,13 +5,17 @@
 """A crystal of copper with a vacancy: volumes and coordination numbers of its atoms, and two of their cells.
 
     python crystal.py [picture.png]
+    python crystal.py atoms.txt 36.15 36.15 36.15 cells.txt
 
 Each atom is displaced a little, as by heat, and one is missing. The cells of its twelve neighbours have become
 larger, and miss a facet. Where atoms are displaced, facets appear at the corners of cells: only those with 3/10 of
 the largest solid angle count. The picture, which needs Matplotlib, is of a neighbour's cell and of another one.
+The second form reads x, y, z from each line, takes the three lengths of the box, and writes volume and coordination number
+of each atom.
 """
 
 import itertools
+import os
 import sys
 
 import numpy as np
@@ -50,13 +54,34 @@ def draw(cells, titles, file):
     print(f"{file} was written")
 
 
-if __name__ == "__main__":
-    atoms, box = copper(8, .05, np.random.default_rng(1))
-    vacancy, atoms = atoms[1000], np.delete(atoms, 1000, axis=0)
+def cells_of(atoms, box):
     # [cells]
     diagram = dfs.delaunay3(atoms, box=box, threads=None)
     volumes, coordination = diagram.voronoi_volumes, diagram.coordination(min_solid_angle=.3)
     # [cells]
+    return diagram, volumes, coordination
+
+
+def write_cells(name, box, output):
+    if os.path.exists(output) and os.path.samefile(name, output):
+        sys.exit(f"{output} is the input: name another file")
+    try:
+        atoms = np.loadtxt(name, usecols=(0, 1, 2), ndmin=2)
+        _, volumes, coordination = cells_of(atoms, np.array(box, float))
+    except ValueError as error:
+        sys.exit(f"{name}: {error}")
+    np.savetxt(output, np.column_stack([volumes, coordination]), "%.17g %d")
+    print(f"{len(atoms)} cells with volumes from {volumes.min():.6g} to {volumes.max():.6g} were written to {output}")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) == 6:
+        sys.exit(write_cells(sys.argv[1], sys.argv[2:5], sys.argv[5]))
+    if len(sys.argv) > 2:
+        sys.exit(__doc__)
+    atoms, box = copper(8, .05, np.random.default_rng(1))
+    vacancy, atoms = atoms[1000], np.delete(atoms, 1000, axis=0)
+    diagram, volumes, coordination = cells_of(atoms, box)
     difference = atoms - vacancy
     distances = np.linalg.norm(difference - box * np.rint(difference / box), axis=1)
     is_near = np.isin(np.arange(len(atoms)), np.argsort(distances)[:12])

@@ -6,11 +6,12 @@
 
     python inside.py [part.off [part.vtk]]
 
-The mesh may have gaps: winding numbers decide. It is a text in the format OFF, of triangles; PyVista and meshio read
-other formats. Without a file, it is the hull of points on an ellipsoid.
+The mesh may have gaps: winding numbers decide. It is a text in the format OFF, of triangles, perhaps with normals and
+colours; PyVista and meshio read other formats. Without a file, it is the hull of points on an ellipsoid.
 """
 
 import os
+import re
 import sys
 
 import numpy as np
@@ -19,18 +20,23 @@ import delaunay_from_surface as dfs
 
 
 def read_off(name):
-    """Points and triangles."""
+    """Points and triangles; normals and colours, which may follow in each line, are passed over."""
     with open(name, encoding="utf-8", errors="replace") as file:
-        words = " ".join(line.split("#")[0] for line in file).split()
-    if words[:1] != ["OFF"]:
-        sys.exit(f"{name}: expected an OFF file")
-    points, faces = int(words[1]), int(words[2])
-    corners = np.array(words[4 + 3 * points:4 + 3 * points + 4 * faces], int).reshape(-1, 4)
-    if len(corners) < faces:
-        sys.exit(f"{name}: ends before all faces are there")
-    if (corners[:, 0] != 3).any():
-        sys.exit(f"{name}: expected triangles alone")
-    return np.array(words[4:4 + 3 * points], float).reshape(-1, 3), corners[:, 1:]
+        lines = list(filter(None, (line.split("#")[0].split() for line in file)))
+    if not lines or not re.fullmatch("(ST)?C?N?OFF", lines[0].pop(0)) or lines[0] == ["BINARY"]:
+        sys.exit(f"{name}: expected a text in the format OFF")
+    try:
+        (points, faces, *_), *lines = filter(None, lines)  # these numbers may stand in the first line
+        points, faces = int(points), int(faces)
+        if len(lines) < points + faces:
+            sys.exit(f"{name}: ends before all points and faces are there")
+        corners = lines[points:points + faces]
+        if any(face[0] != "3" for face in corners):
+            sys.exit(f"{name}: expected triangles alone")
+        return (np.array([line[:3] for line in lines[:points]], float).reshape(-1, 3),
+                np.array([face[1:4] for face in corners], int).reshape(-1, 3))
+    except ValueError as error:
+        sys.exit(f"{name}: not as in the format OFF: {error}")
 
 
 def write_vtk(name, points, tetrahedra):
@@ -51,11 +57,14 @@ if __name__ == "__main__":
         faces = dfs.delaunay3(points).convex_hull
     if len(sys.argv) > 2 and os.path.exists(sys.argv[2]) and os.path.samefile(*sys.argv[1:3]):
         sys.exit(f"{sys.argv[2]} is the input: name another file")
-    # [inside]
-    triangulation = dfs.delaunay3(points, faces, inside=True, threads=None)
-    tetrahedra = triangulation.simplices[triangulation.inside]
-    volume = triangulation.volumes[triangulation.inside].sum()
-    # [inside]
+    try:
+        # [inside]
+        triangulation = dfs.delaunay3(points, faces, inside=True, threads=None)
+        tetrahedra = triangulation.simplices[triangulation.inside]
+        volume = triangulation.volumes[triangulation.inside].sum()
+        # [inside]
+    except ValueError as error:  # for example, an open patch has no inside
+        sys.exit(f"{sys.argv[1]}: {error}")
     a, b, c = points[faces].transpose(1, 0, 2)
     enclosed = abs(np.einsum("ij,ij->", a, np.cross(b, c))) / 6
     print(f"{len(tetrahedra)} of {triangulation.nsimplex} tetrahedra are inside; their volume is {volume:.6g}, "

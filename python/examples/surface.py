@@ -67,7 +67,10 @@ if __name__ == "__main__":
         sys.exit(f"{sys.argv[1]}: expected x, y, z in each line: {error}")
     if len(sys.argv) > 2 and os.path.exists(sys.argv[2]) and os.path.samefile(*sys.argv[1:3]):
         sys.exit(f"{sys.argv[2]} is the input: name another file")
-    triangles = surface(points)
+    try:
+        triangles = surface(points)
+    except ValueError as error:  # for example, all points lie in a plane
+        sys.exit(f"{sys.argv[1]}: {error}")
     a, b, c = points[triangles].transpose(1, 0, 2)
     print(f"{len(points)} points, {len(np.unique(triangles))} of them in {len(triangles)} triangles; "
           f"the volume within is {np.einsum('ij,ij->', a, np.cross(b, c)) / 6:.6g}")

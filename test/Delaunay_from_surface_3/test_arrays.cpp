@@ -405,7 +405,6 @@ BOOST_AUTO_TEST_CASE(what_only_the_last_level_sees)
   BOOST_TEST(!CGAL::is_valid_delaunay_3_arrays(arrays, square));
 }
 
-// The points of the last ones differ by denormal numbers.
 // Around a vertex or an edge with many simplices, all questions take one turn together; what they find
 // is the least simplex, as that of a few questions is.
 BOOST_AUTO_TEST_CASE(many_questions_at_a_hub)
@@ -448,6 +447,7 @@ BOOST_AUTO_TEST_CASE(many_questions_at_a_hub)
   }
 }
 
+// The points of the last ones differ by denormal numbers.
 BOOST_AUTO_TEST_CASE(validity_in_every_rounding_mode)
 {
   for (const double size : {1., 0.1, 0x1p-1060}) {

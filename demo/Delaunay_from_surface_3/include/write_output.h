@@ -173,7 +173,7 @@ using Arrays = CGAL::Delaunay_3_arrays<std::int32_t>;
 
 inline bool is_closed_mesh(const Surface& surface)
 {
-  return surface.is_manifold && is_triangle_mesh(surface.mesh) && is_closed(surface.mesh);
+  return surface.is_manifold && is_closed(surface.mesh);
 }
 
 // The arrays must have tetrahedra. Throws one line if the surface has no inside.

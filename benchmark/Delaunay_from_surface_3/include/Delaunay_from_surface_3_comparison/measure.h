@@ -7,6 +7,7 @@
 
 // Times and medians, and what must be known of a machine and a build to judge times measured there.
 
+#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/version.h>
 
 #include <boost/config.hpp>
@@ -22,6 +23,7 @@
 #include <ctime>
 #include <fstream>
 #include <iomanip>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -47,11 +49,13 @@ double per_point(Count count, Number n, double per_unit = 1e4)
 template <class Decided>
 Json by_exact_stage(const Decided& decided, std::size_t n, double per_unit = 1e4)
 {
+  static const char* const names[] = {"lattice",       "half_digit", "one_digit", "balanced",
+                                      "double_double", "two_digits", "any_width"};
+  static_assert(std::size(names) == CGAL::Delaunay_from_surface_3::NUMBER_OF_EXACT_STAGES,
+                "each stage has a name");
   Json result;
-  std::size_t stage = 0;
-  for (const char* name : {"lattice", "half_digit", "one_digit", "balanced", "double_double",
-                           "two_digits", "any_width"})
-    result[name] = per_point(decided[stage++], n, per_unit);
+  for (std::size_t stage = 0; stage < std::size(names); ++stage)
+    result[names[stage]] = per_point(decided[stage], n, per_unit);
   return result;
 }
 

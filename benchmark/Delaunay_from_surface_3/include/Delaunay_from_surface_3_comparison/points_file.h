@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -23,6 +22,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include <sys/resource.h>
 
 namespace comparison {
 
@@ -84,16 +85,36 @@ class Stopwatch
 public:
   void stop()
   {
-    m_cpu = std::clock() - m_cpu;
-    m_wall = Clock::now() - m_begin;
+    const Used end;
+    m_user = end.user - m_begin.user;
+    m_system = end.system - m_begin.system;
+    m_wall = end.clock - m_begin.clock;
   }
-  double cpu_seconds() const { return double(m_cpu) / CLOCKS_PER_SEC; }
+  double user_seconds() const { return m_user; }
+  double system_seconds() const { return m_system; }
   double wall_seconds() const { return m_wall.count(); }
 
 private:
   using Clock = std::chrono::steady_clock;
-  std::clock_t m_cpu = std::clock();
-  Clock::time_point m_begin = Clock::now();
+
+  // By the process until now, in seconds.
+  struct Used
+  {
+    Used()
+    {
+      rusage usage = {};
+      getrusage(RUSAGE_SELF, &usage);
+      user = seconds(usage.ru_utime);
+      system = seconds(usage.ru_stime);
+    }
+    static double seconds(const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); }
+
+    double user, system;
+    Clock::time_point clock = Clock::now();
+  };
+
+  Used m_begin;
+  double m_user = 0, m_system = 0;
   std::chrono::duration<double> m_wall = {};
 };
 
@@ -102,8 +123,10 @@ private:
 inline void print_answer(const Stopwatch& watch, std::size_t tetrahedra, unsigned threads = 1,
                          const std::string& library = "", const std::string& built_as = "")
 {
-  std::printf("cpu_seconds %.6f\nwall_seconds %.6f\ntetrahedra %zu\nthreads %u\n",
-              watch.cpu_seconds(), watch.wall_seconds(), tetrahedra, threads);
+  std::printf("cpu_seconds %.6f\nuser_seconds %.6f\nsystem_seconds %.6f\nwall_seconds %.6f\n"
+              "tetrahedra %zu\nthreads %u\n",
+              watch.user_seconds() + watch.system_seconds(), watch.user_seconds(),
+              watch.system_seconds(), watch.wall_seconds(), tetrahedra, threads);
   if (!library.empty())
     std::printf("library %s%s%s\n", library.c_str(), built_as.empty() ? "" : " ", built_as.c_str());
 }

@@ -11,6 +11,7 @@
 
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
+#include <Delaunay_from_surface_3_surfaces/clusters.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/io.h>
@@ -106,18 +107,7 @@ inline std::vector<Named_surface> with_twins(std::vector<Named_surface> all)
   return all;
 }
 
-// n random points in a box with these sides, without faces.
-inline surfaces::Indexed_surface points_in_box(std::size_t n, double a, double b, double c,
-                                               std::uint64_t seed)
-{
-  surfaces::Random random(seed);
-  surfaces::Indexed_surface points;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double x = random.uniform(0, a), y = random.uniform(0, b), z = random.uniform(0, c);
-    points.points.emplace_back(x, y, z);
-  }
-  return points;
-}
+using surfaces::points_in_box;
 
 // measure(family, kind, surface), one after the other, of about n points; the tori of more, what is
 // of quadratic size or takes long to find, of fewer.

@@ -29,6 +29,19 @@ inline Random::Vector_3 random_direction(Random& random)
   return v / std::sqrt(v.squared_length());
 }
 
+/// Random points of a box, one of whose corners is the origin.
+inline Indexed_surface points_in_box(std::size_t n, double a, double b, double c,
+                                     std::uint64_t seed)
+{
+  Random random(seed);
+  Indexed_surface s;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = random.uniform(0, a), y = random.uniform(0, b), z = random.uniform(0, c);
+    s.points.emplace_back(x, y, z);
+  }
+  return s;
+}
+
 /// A star cluster: the share m of the mass is within \f$ (m^{-2/3} - 1)^{-1/2} \f$ (Plummer 1911).
 /// The outermost hundredth is left out.
 inline Indexed_surface plummer_sphere(std::size_t n, std::uint64_t seed)
