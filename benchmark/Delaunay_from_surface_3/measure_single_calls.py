@@ -21,6 +21,7 @@ import json
 import os
 import platform
 import re
+import resource
 import shlex
 import statistics
 import struct
@@ -28,6 +29,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from datetime import date
 from functools import partial
 from pathlib import Path
 
@@ -54,7 +56,7 @@ def call_peer(command, points):
 
 def write_points(mesh, file):
     """The vertices of a mesh in OFF, as peers read them."""
-    words = re.sub("#.*", "", mesh.read_text()).split()
+    words = re.sub("#.*", "", mesh.read_text(errors="replace")).split()
     if words[:1] != ["OFF"]:
         sys.exit(f"{mesh}: peers need a mesh in OFF")
     points = array.array("d", map(float, words[4:4 + 3 * int(words[1])]))
@@ -69,7 +71,7 @@ def measured(mesh, calls, options):
     ours = {name: result for name, result in once.items() if "library" not in result}
     if len({result["tetrahedra"] for result in ours.values() if "tetrahedra" in result}) != 1:  # old revisions do not tell
         sys.exit(f"{mesh}: the numbers of tetrahedra differ")
-    peak = max(result["bytes_at_peak"] for result in ours.values())
+    peak = 1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # of all calls until now, peers too
     for rest in options.rest:
         touched = json.loads(output_of(options.program, "--touch", str(peak)))
         runs = {name: [] for name in calls}
@@ -102,7 +104,7 @@ def main():
     parser.add_argument("--program", default="./insert_once", help="insert_once")
     parser.add_argument("--other", default=[], nargs="+", metavar="NAME=PROGRAM", help="insert_once of other revisions")
     parser.add_argument("--methods", default=["default"], nargs="+", help="beside plain: default, points, arrays, default:2 by two threads, …, parallel:2")
-    parser.add_argument("--peer", default=[], nargs="+", metavar="NAME=COMMAND", help="programs that take a file of points; then meshes are OFF")
+    parser.add_argument("--peer", default=[], nargs="+", action="extend", metavar="NAME=COMMAND", help="programs that take a file of points; then meshes are OFF")
     parser.add_argument("--repetitions", type=int, default=21, metavar="N")
     parser.add_argument("--rest", type=float, default=[0, 4], nargs="+", metavar="SECONDS", help="before each call")
     parser.add_argument("--output", type=Path, default=Path("single_calls.json"), metavar="FILE")
@@ -118,7 +120,7 @@ def main():
     report = {
         "program": "measure_single_calls.py",
         "command": shlex.join(["measure_single_calls.py", *sys.argv[1:]]),
-        "machine": {"cpu": cpu(), "cores": os.cpu_count(), "system": platform.release(),
+        "machine": {"cpu": cpu(), "date": date.today().isoformat(), "cores": os.cpu_count(), "system": platform.release(),
                     "load_before": round(os.getloadavg()[0], 2)},
         "results": [],
     }
@@ -129,6 +131,7 @@ def main():
             write_points(mesh, points)
         for result in measured(mesh, calls, options):
             report["results"].append(result)
+            options.output.write_text(json.dumps(report, indent=1) + "\n")  # should a later call fail
             plain = result["calls"]["plain"]
             for name, of_name in result["calls"].items():
                 print(f"{mesh.name}, rest {result['rest']:g}: {name}: " + ", ".join(

@@ -68,8 +68,8 @@ def write_cells(name, box, output):
     try:
         atoms = np.loadtxt(name, usecols=(0, 1, 2), ndmin=2)
         _, volumes, coordination = cells_of(atoms, np.array(box, float))
-    except ValueError as error:
-        sys.exit(f"{name}: {error}")
+    except (OSError, ValueError) as error:
+        sys.exit(f"{name}, box {' '.join(box)}: {error}")
     np.savetxt(output, np.column_stack([volumes, coordination]), "%.17g %d")
     print(f"{len(atoms)} cells with volumes from {volumes.min():.6g} to {volumes.max():.6g} were written to {output}")
 

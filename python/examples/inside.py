@@ -29,8 +29,10 @@ def read_off(name):
         (points, faces, *_), *lines = filter(None, lines)  # these numbers may stand in the first line
         points, faces = int(points), int(faces)
         if len(lines) < points + faces:
-            sys.exit(f"{name}: ends before all points and faces are there")
+            sys.exit(f"{name}: expected {points} points and {faces} faces, each in a line of its own")
         corners = lines[points:points + faces]
+        if any(len(line) < 3 for line in lines[:points]):
+            sys.exit(f"{name}: expected three numbers of each point")
         if any(face[0] != "3" for face in corners):
             sys.exit(f"{name}: expected triangles alone")
         return (np.array([line[:3] for line in lines[:points]], float).reshape(-1, 3),

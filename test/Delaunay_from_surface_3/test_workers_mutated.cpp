@@ -173,7 +173,7 @@ public:
   {
     m_tries = i == m_last ? m_tries + 1 : 1;
     m_last = i;
-    if (m_tries > 5) // twice in its batch, twice when it is put off and fresh cells lack
+    if (m_tries > 10) // three times by its worker, and by the caller when fresh cells lack
       throw std::logic_error("an insertion clashes with nobody");
     using tests::DFS::internal::load_relaxed;
     Id v = load_relaxed(m_subject->vertex_of[i]);

@@ -150,7 +150,7 @@ private:
     return std::uint32_t(m_nodes.size() - 1);
   }
 
-  // As Parallel_triangulation::insert_batch(): what clashed is tried once more at the end.
+  // As Parallel_triangulation::work(), but what clashed is tried only once more at the end.
   void attempt(Worker_state& state, Replay& replay) const
   {
     const Byte k = state.tasks_left.front();

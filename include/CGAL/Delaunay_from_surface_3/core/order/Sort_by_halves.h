@@ -301,23 +301,24 @@ private:
   void sort_parts(Item* items, const std::ptrdiff_t* ends, const Box* next,
                   const Executor& executor)
   {
-    std::vector<Box> boxes;
     std::vector<std::size_t> filled;
     for (std::size_t p = 0; p < parts; ++p)
-      if (ends[p] < ends[p + 1]) {
+      if (ends[p] < ends[p + 1])
         filled.push_back(p);
-        boxes.emplace_back(items + ends[p], items + ends[p + 1]);
-      }
-    for_each_block(executor, filled.size(), filled.size(),
-                   [&](std::size_t begin, std::size_t end, std::size_t) {
-                     for (std::size_t k = begin; k < end; ++k) {
-                       Sort_by_halves part;
-                       part.begin_after(k > 0 ? boxes[k - 1].point_near(boxes[k]).data()
-                                              : m_before);
-                       part.sort(items + ends[filled[k]], items + ends[filled[k] + 1], boxes[k],
-                                 k + 1 < filled.size() ? &boxes[k + 1] : next);
-                     }
-                   });
+    const auto for_each_filled = [&](const auto& body) {
+      for_each_block(executor, filled.size(), filled.size(),
+                     [&](std::size_t begin, std::size_t end, std::size_t) {
+                       for (std::size_t k = begin; k < end; ++k)
+                         body(k, items + ends[filled[k]], items + ends[filled[k] + 1]);
+                     });
+    };
+    std::vector<Box> boxes(filled.size());
+    for_each_filled([&](std::size_t k, Item* first, Item* last) { boxes[k] = Box(first, last); });
+    for_each_filled([&](std::size_t k, Item* first, Item* last) {
+      Sort_by_halves part;
+      part.begin_after(k > 0 ? boxes[k - 1].point_near(boxes[k]).data() : m_before);
+      part.sort(first, last, boxes[k], k + 1 < filled.size() ? &boxes[k + 1] : next);
+    });
     begin_after(items[ends[parts] - 1].coordinates);
   }
 

@@ -7,7 +7,7 @@
 
 // Several workers insert a chunk of a round of Choi 2002, Fig. 1, lines 2b and 2c. Every start is a
 // vertex of an earlier round, or leads to one, so that any worker can insert any point of the chunk
-// at any time. A point that clashes is put off until its worker has tried all others, and if it
+// at any time. A point that clashes is put off until its worker has tried the others, and if it
 // clashes twice more, until all have ended, when the caller inserts it alone: no worker waits.
 //
 // The result is right even if workers run one after the other: the first one then takes all points.
@@ -235,24 +235,25 @@ private:
   void work(Chunk& chunk, std::size_t t)
   {
     try {
-      std::vector<std::size_t>& put_off = chunk.own[t].put_off;
+      auto& own = chunk.own[t];
       while (!chunk.is_stopped && !chunk.is_full) {
         const Shares::Range batch = chunk.shares.take(t, m_rules.batch);
         if (batch.first == batch.second)
           break;
         if (!may_go_further(chunk, t, batch.first))
           break;
-        const std::size_t before = put_off.size();
+        const std::size_t before = own.clashes;
         for (std::size_t i = batch.first; i < batch.second; ++i)
           insert_or_put_off(chunk, t, i);
         // If more than half of the points clash, there are too many workers: those with odd numbers
         // stop, and the first one stays.
-        if (t % 2 == 1 && 2 * (put_off.size() - before) > batch.second - batch.first)
-          return;
+        if (t % 2 == 1 && 2 * (own.clashes - before) > batch.second - batch.first)
+          break;
       }
       for (unsigned k = 0; k < 2; ++k) // others have gone on by now
-        for (const std::size_t i : std::exchange(put_off, {}))
-          insert_or_put_off(chunk, t, i);
+        for (const std::size_t i : std::exchange(own.put_off, {}))
+          if (may_go_further(chunk, t, i))
+            insert_or_put_off(chunk, t, i);
     } catch (...) {
       if (!chunk.has_error.exchange(true))
         chunk.error = std::current_exception();
