@@ -454,13 +454,15 @@ class Output(ProgramCase):
         corners = [[float(x) for x in line.split()] for line in lines[first - 960:first]]
         volume = sum(volume_of_origin(*(corners[int(i)] for i in line.split()[1:])) for line in faces)
         self.assertAlmostEqual(values["volume_inside"], volume, delta=.05 * volume)
-        self.assertNotIn("not closed", values)
+        self.assertAlmostEqual(values["volume_enclosed"], abs(volume), delta=1e-8 * abs(volume))
+        self.assertNotIn("not_closed", values)
         flipped = [" ".join([*line.split()[:2], *line.split()[:1:-1]]) for line in faces[300:310]]
         for name, some in (("holes.off", faces[:100] + faces[104:]), ("flips.off", faces[:300] + flipped + faces[310:]),
                            ("twice.off", faces + faces[500:520])):
             values, marks, numbers = inside(name, some)
             self.assertEqual((values["faces_turned"], len(numbers), len(marks)), (10 * (name == "flips.off"), 1, len(whole)), name)
             self.assertIn("not_closed", values)
+            self.assertNotIn("volume_enclosed", values)
             self.assertAlmostEqual(marks.count("1"), whole.count("1"), delta=20, msg=name)
             self.assertEqual(int(values["tetrahedra_in_doubt"].split()[0]) > 0, name != "flips.off", name)
 

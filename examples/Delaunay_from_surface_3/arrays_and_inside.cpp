@@ -94,7 +94,7 @@ int main(int argc, char* argv[])
             CGAL::volume(points.front(), points[face[0]], points[face[k - 1]], points[face[k]]);
     std::cout << arrays.number_of_simplices() << " tetrahedra; those inside have volume " << volume
               << " and " << skin << " facets to the outside; the surface encloses "
-              << std::abs(enclosed) << '\n';
+              << std::abs(enclosed) << ", if it is closed and consistently oriented\n";
     if (inside.doubtful_volume > 0.05)
       std::cerr << std::lround(100 * inside.doubtful_volume)
                 << " % of this volume is in doubt, near openings: close them\n";

@@ -59,6 +59,8 @@ if __name__ == "__main__":
         sys.exit(f"{sys.argv[2]} is the input: name another file")
 
     alphas = [float(word) for word in sys.argv[3:]] or [1.5, 2, 3]
+    if sys.argv[3:] and len(radii) == len(centers):
+        print("The fourth numbers are radii, so the boundary written is that of the balls; leave them out for an alpha shape")
     # [cloud]
     cloud = dfs.delaunay3(centers, threads=None)
     for radius in alphas:

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -211,11 +212,24 @@ inline double volume_inside(const Surface& surface, const Arrays& arrays,
   return volume;
 }
 
+// Returns the volume that a closed mesh encloses.
+inline double volume_enclosed(const Surface& surface)
+{
+  double volume = 0;
+  for (const std::vector<std::size_t>& face : surface.faces)
+    for (std::size_t k = 2; k < face.size(); ++k)
+      volume += CGAL::volume(surface.points.front(), surface.points[face[0]],
+                             surface.points[face[k - 1]], surface.points[face[k]]);
+  return std::abs(volume);
+}
+
 // Reports in figures how sure the winding numbers are, and warns if they are not.
 inline void report_inside(const std::string& input, const Surface& surface, const Arrays& arrays,
                           const CGAL::Inside_3& inside, Report& report, Messages& messages)
 {
-  if (!is_closed_mesh(surface))
+  if (is_closed_mesh(surface))
+    report("volume enclosed", volume_enclosed(surface));
+  else
     report("not closed", why_not_closed(surface, arrays));
   report("volume inside", volume_inside(surface, arrays, inside));
   report("faces turned", inside.number_of_turned);
