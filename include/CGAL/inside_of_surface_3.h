@@ -38,7 +38,7 @@ oriented so that the volume is positive. Faces that agree stay as they are: if t
 are the wall of a cavity.
 
 Where a face is not a facet of the triangulation, tetrahedra cross the surface: `Inside_3` says how much
-volume these have.
+volume may be wrong in these.
 
 Call a tetrahedron *surely inside* if its winding number differs by at most 0.1 from an integer
 other than 0, *in doubt* if it differs by more than 0.1 from every integer, and *inside* if its

@@ -9,7 +9,9 @@
 #include <boost/test/included/unit_test.hpp>
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/inside/Regions.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
+#include <CGAL/Random.h>
 #include <CGAL/Winding_number_3.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/inside_of_surface_3.h>
@@ -539,7 +541,68 @@ BOOST_AUTO_TEST_CASE(test_what_is_not_orientable)
   check_that_there_is_none(bottle, message);
 }
 
-// Faces that are no facets, and how much of the volume they cross.
+// Parts of tetrahedra beyond a plane, by divided differences, which need four different distances.
+BOOST_AUTO_TEST_CASE(test_share_beyond)
+{
+  CGAL::Random random(1);
+  unsigned beyond[4] = {0, 0, 0, 0};
+  for (int i = 0; i < 2000; ++i) {
+    const auto vector = [&] {
+      return internal::Vector_3d{random.get_double(-1, 1), random.get_double(-1, 1),
+                                 random.get_double(-1, 1)};
+    };
+    const internal::Cutting_triangle t({vector(), vector(), vector()}, 1);
+    const std::array<internal::Vector_3d, 4> p = {vector(), vector(), vector(), vector()};
+    double d[4], sum = 0, expected = 0;
+    for (int k = 0; k < 4; ++k)
+      sum += d[k] = internal::dot(t.normal, internal::minus(p[std::size_t(k)], t.corners[0]));
+    unsigned number = 0;
+    for (int k = 0; k < 4; ++k)
+      if (d[k] * sum < 0) {
+        ++number;
+        double term = 1;
+        for (int j = 0; j < 4; ++j)
+          term *= j == k ? 1 : d[k] / (d[k] - d[j]);
+        expected += term;
+      }
+    ++beyond[number];
+    BOOST_CHECK_SMALL(internal::share_beyond(t, p) - expected, 1e-6);
+  }
+  for (const unsigned times : beyond)
+    BOOST_CHECK_GT(times, 20u);
+}
+
+// The trapezoids of a mesh by latitude and longitude are flat but for the digits of its file, and
+// most are cut along the other diagonals.
+BOOST_AUTO_TEST_CASE(test_rounded_trapezoids)
+{
+  Soup soup;
+  const int n = 40;
+  soup.points = {{0, 0, 1}, {0, 0, -1}};
+  const auto rounded = [](double x) { return std::round(1e6 * x) / 1e6; };
+  for (int i = 1; i < n; ++i)
+    for (int j = 0; j < 2 * n; ++j) {
+      const double u = pi * i / n, v = pi * j / n;
+      soup.add_point(rounded(3 * std::sin(u) * std::cos(v)), rounded(2 * std::sin(u) * std::sin(v)),
+                     rounded(std::cos(u)));
+    }
+  const auto at = [&](int i, int j) { return std::size_t(2 + 2 * n * (i - 1) + j % (2 * n)); };
+  for (int j = 0; j < 2 * n; ++j) {
+    soup.faces.push_back({0, at(1, j), at(1, j + 1)});
+    soup.faces.push_back({1, at(n - 1, j + 1), at(n - 1, j)});
+    for (int i = 1; i + 1 < n; ++i) {
+      soup.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      soup.faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  const CGAL::Inside_3 inside = find(soup).inside;
+  BOOST_CHECK_GT(inside.missing_area, 0.1);
+  BOOST_CHECK_GT(inside.crossed_volume, 0);
+  BOOST_CHECK_LT(inside.crossed_volume, 1e-3);
+  BOOST_TEST(internal::warning_of(inside).empty());
+}
+
+// Faces that are no facets, and how much of the volume they cut off.
 BOOST_AUTO_TEST_CASE(test_faces_that_are_no_facets)
 {
   const auto is_sure = [](const Soup& soup) {

@@ -40,9 +40,9 @@ struct Inside_3
   /// the area of the faces that are no facets of the triangulation, divided by that of the surface.
   double missing_area = 0;
 
-  /// the volume of the tetrahedra that such faces pass through, divided by that of these and of all
-  /// tetrahedra inside. Such a tetrahedron may be partly inside, so this bounds the share that may be
-  /// wrong. It may be far too large where large tetrahedra outside are crossed.
+  /// a bound on the volume that may be wrong, divided by that of the tetrahedra inside and of what may
+  /// be missing there. Of each tetrahedron that such faces pass through, it counts the parts beyond
+  /// their planes, seen from its centre. It may be far too large for large tetrahedra outside.
   double crossed_volume = 0;
 
   /// the area of triangles that would close the openings, each from its middle, divided by that of

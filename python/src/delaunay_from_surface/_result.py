@@ -60,8 +60,8 @@ class InsideFigures(NamedTuple):
     """The area of the faces that are no facets of the triangulation, divided by that of all."""
 
     crossed_volume: float
-    """The volume of the tetrahedra that such faces pass through, divided by that of these and of those inside: as much
-    may be wrong."""
+    """A bound on the volume that may be wrong, since such faces cut tetrahedra in parts, divided by that of the
+    tetrahedra inside and of what may be missing there."""
 
 
 def _numbers_of(name: str, array: Indices) -> Indices:

@@ -283,6 +283,26 @@ inline bool passes_inside(const Cutting_triangle& t, const std::array<Vector_3d,
   return true;
 }
 
+// Returns the share of a tetrahedron that lies beyond the plane of a triangle, seen from its centre.
+inline double share_beyond(const Cutting_triangle& t, const std::array<Vector_3d, 4>& p)
+{
+  std::array<double, 4> d;
+  for (std::size_t k = 0; k < 4; ++k)
+    d[k] = dot(t.normal, minus(p[k], t.corners[0]));
+  if (d[0] + d[1] + d[2] + d[3] < 0)
+    d = {-d[0], -d[1], -d[2], -d[3]};
+  std::sort(d.begin(), d.end()); // those beyond come first
+  const auto cut = [&d](std::size_t i, std::size_t k) { return d[i] / (d[i] - d[k]); };
+  if (!(d[0] < 0))
+    return 0;
+  if (!(d[1] < 0))
+    return cut(0, 1) * cut(0, 2) * cut(0, 3);
+  if (d[2] < 0)
+    return 1 - cut(3, 0) * cut(3, 1) * cut(3, 2);
+  return cut(0, 2) * cut(0, 3) + (1 - cut(0, 2)) * cut(0, 3) * cut(1, 2) +
+         (1 - cut(0, 3)) * cut(1, 2) * cut(1, 3); // three tetrahedra
+}
+
 class Crossings
 {
 public:

@@ -268,10 +268,10 @@ inline std::string percent(double share)
 // Judges the winding numbers, weighted by volumes.
 class Judge_inside
 {
-  double m_sure = 0, m_doubtful = 0, m_inside = 0, m_crossed = 0, m_crossed_inside = 0;
+  double m_sure = 0, m_doubtful = 0, m_inside = 0, m_cut_off_inside = 0, m_cut_off_outside = 0;
 
 public:
-  void add(double number, double volume, bool is_crossed, Inside_3& inside)
+  void add(double number, double volume, double cut_off, Inside_3& inside)
   {
     const double size = std::abs(number);
     const bool is_doubtful = std::abs(size - std::round(size)) > 0.1;
@@ -283,10 +283,7 @@ public:
       m_sure += volume;
     if (size >= 0.5)
       m_inside += volume;
-    if (is_crossed)
-      m_crossed += volume;
-    if (is_crossed && size >= 0.5)
-      m_crossed_inside += volume;
+    (size >= 0.5 ? m_cut_off_inside : m_cut_off_outside) += cut_off;
   }
 
   // Throws Surface_input_error if there is no inside.
@@ -295,14 +292,14 @@ public:
     if (m_inside == 0 && inside.share_of_openings == 0)
       throw Surface_input_error(
           std::string("the surface has no inside: no tetrahedron is inside; ") +
-          (m_crossed > 0
+          (m_cut_off_outside > 0
                ? "faces are not facets of the triangulation, but cross tetrahedra; remedy: "
                  "refine the surface first"
                : "there are no faces with an area, or each is given twice, once turned "
                  "round; remedy: give each face once"));
     inside.doubtful_volume = m_inside > 0 ? m_doubtful / m_inside : 0;
-    inside.crossed_volume =
-        m_crossed > 0 ? m_crossed / (m_inside - m_crossed_inside + m_crossed) : 0;
+    const double cut_off = m_cut_off_inside + m_cut_off_outside;
+    inside.crossed_volume = cut_off > 0 ? cut_off / (m_inside + m_cut_off_outside) : 0;
     if (!has_inside(inside.share_of_openings, share_of_largest))
       throw Surface_input_error("the surface has no inside: by its winding numbers too much is in "
                                 "doubt, and its openings have " +
@@ -402,14 +399,16 @@ void find_numbers_by_regions(const Cells& cells, Regions<Cells>& regions,
                 [&](std::size_t c) { numbers[c] = whole[c] + of_closing(c); });
 }
 
-// Marks the tetrahedra that these triangles pass through.
+// Returns for each tetrahedron a bound on the share of it that is not on the side of its centre of all
+// triangles that pass through it: the way from the centre to any other place crosses one of them.
 template <class Cells>
-std::vector<char> crossed_cells(const Cells& cells, const std::vector<Cutting_triangle>& triangles,
-                                const Executor& executor)
+std::vector<double> shares_cut_off(const Cells& cells,
+                                   const std::vector<Cutting_triangle>& triangles,
+                                   const Executor& executor)
 {
-  std::vector<char> is_crossed(cells.number, 0);
+  std::vector<double> shares(cells.number, 0);
   if (triangles.empty())
-    return is_crossed;
+    return shares;
   const Box_tree tree{std::vector<Cutting_triangle>(triangles)};
   for_each_cell(cells.number, executor, [&](std::size_t c) {
     const std::array<Vector_3d, 4> p = cells(c);
@@ -417,10 +416,11 @@ std::vector<char> crossed_cells(const Cells& cells, const std::vector<Cutting_tr
     for (const Vector_3d& corner : p)
       box.add(corner);
     tree.visit(box, [&](const Cutting_triangle& t) {
-      is_crossed[c] = char(is_crossed[c] != 0 || passes_inside(t, p, box));
+      if (shares[c] < 1 && passes_inside(t, p, box))
+        shares[c] = (std::min)(1., shares[c] + share_beyond(t, p));
     });
   });
-  return is_crossed;
+  return shares;
 }
 
 // Holds the triangles of faces on n points by their vertices, without those with a vertex twice.
@@ -516,13 +516,14 @@ void judge_inside(const Cells& cells, const std::vector<Cutting_triangle>& no_fa
   }
   for (const Cutting_triangle& t : no_facets)
     inside.missing_area += std::abs(t.number) * std::sqrt(dot(t.normal, t.normal)) / 2 / area;
-  const std::vector<char> is_crossed = crossed_cells(cells, no_facets, executor);
+  const std::vector<double> shares = shares_cut_off(cells, no_facets, executor);
   Judge_inside judge;
   Steps step(executor);
   for (std::size_t c = 0; c < cells.number; ++c, step()) {
     const std::array<Vector_3d, 4> p = cells(c);
-    const double volume = dot(minus(p[1], p[0]), cross(minus(p[2], p[0]), minus(p[3], p[0])));
-    judge.add(inside.winding_numbers[c], std::abs(volume), is_crossed[c] != 0, inside);
+    const double volume =
+        std::abs(dot(minus(p[1], p[0]), cross(minus(p[2], p[0]), minus(p[3], p[0]))));
+    judge.add(inside.winding_numbers[c], volume, shares[c] * volume, inside);
   }
   judge.finish(share_of_largest, inside);
 }
