@@ -427,7 +427,7 @@ class Output(ProgramCase):
             self.works("a.off", "--inside", "-o", "a.vtu", prints=[
                 rf"\nnot closed: +{why}\nvolume inside: +[0-9.]+\n", r"\nfaces turned: +0\n", r"\ntetrahedra in doubt: +\d+ of \d+ ",
                 r"\nvolume in doubt: +[0-9.]+ % of that inside\n", r"\nopenings: +[0-9.]+ % of the surface's area\n",
-                r"\nfaces not Delaunay: +[0-9.]+ % of the surface's area\n", r"\nvolume that may be wrong: +[0-9.]+ %, which such faces cut off\n",
+                r"\nfaces not Delaunay: +[0-9.]+ % of the surface's area\n", r"\nvolume possibly wrong: +[0-9.]+ %, which such faces cut off\n",
                 r"\nin several parts: +0\n"],
                 notes=rf"(note: faces[^\n]*\n)?(warning: a.off: \d+ % of the volume inside is in doubt, [^\n]*\n)?({SOUP_NOTE})?")
         self.write("points.off", "OFF", "7 0 0", *corners)

@@ -237,7 +237,7 @@ inline void report_inside(const std::string& input, const Surface& surface, cons
   report("volume in doubt", decimals(100 * inside.doubtful_volume, 4) + " % of that inside");
   report("openings", decimals(100 * inside.share_of_openings, 4) + " % of the surface's area");
   report("faces not Delaunay", decimals(100 * inside.missing_area, 4) + " % of the surface's area");
-  report("volume that may be wrong",
+  report("volume possibly wrong",
          decimals(100 * inside.crossed_volume, 4) + " %, which such faces cut off");
   report("in several parts", inside.number_of_multiple);
   const std::string warning = CGAL::Delaunay_from_surface_3::internal::warning_of(inside);
