@@ -123,8 +123,7 @@ COMMANDS = {"demo_meshes": "scripts/check_meshes build/data/meshes --repetitions
 def command_of(name, report):
     """Without the name of the output, and of what it is told of other programs."""
     text = re.sub(r" (--output|-o) \S+", "", COMMANDS.get(name) or report["command"])
-    text = re.sub(r" --peers( \S+=\S+)+", "", text)
-    text = re.sub(r" --peer ('[^']*'|\S+)( '\S+=[^']*'| [a-z0-9-]+=\S+)*", "", text).replace("--data-dir meshes", "").replace("--cache-dir surfaces", "")
+    text = re.sub(r" --peers?( '[^']*'| \S+=\S+)+", "", text).replace("--data-dir meshes", "").replace("--cache-dir surfaces", "")
     return re.sub(" +", " ", re.sub(r"(\S+\.off )+", "MESHES ", text)).strip()
 
 

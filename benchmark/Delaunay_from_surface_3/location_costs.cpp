@@ -6,6 +6,7 @@
 // the last trace and from elsewhere; how many triangles a trace crosses; what becomes of it when T
 // is not Delaunay; the total work of the paper's Q; and that of walks, in random rounds and sorted.
 
+#include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/run_program.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
@@ -18,8 +19,11 @@
 #include <Delaunay_from_surface_3_surfaces/refine.h>
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_theory/laboratory.h>
-#include <Delaunay_from_surface_3_theory/whole_runs.h>
 
+#include <Delaunay_from_surface_3_meters/meters.h>
+#include <Delaunay_from_surface_3_meters/orders.h>
+#include <CGAL/Surface_insertion_traits_3.h>
+#include <CGAL/Tracing_traits_3.h>
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
@@ -43,6 +47,9 @@
 namespace {
 
 using namespace theory;
+using comparison::Mesh;
+using comparison::per_point;
+using comparison::Phase;
 
 const char* const introduction =
     R"(Measures what it costs to locate points while a surface is inserted in the order of the paper.
@@ -125,7 +132,7 @@ std::vector<Theory_surface> theory_surfaces(const std::string& data_dir,
 std::vector<Theory_surface> work_surfaces(std::uint64_t seed, bool with_tube)
 {
   const std::size_t any = std::size_t(1) << 30;
-  const auto cube = [seed](std::size_t n) { return comparison::points_in_box(n, 1, 1, 1, seed); };
+  const auto cube = [seed](std::size_t n) { return surfaces::points_in_box(n, 1, 1, 1, seed); };
   std::vector<Theory_surface> all = {
       {"cube", "random points in a cube, without a surface", true, any, cube},
       {"torus", "a torus, jitter of 5 % of the edge length", true, any,
@@ -196,6 +203,42 @@ std::vector<Theory_surface> chosen_surfaces(const Options& options)
   if (!options.surfaces.empty() && chosen.size() != options.surfaces.size())
     throw std::invalid_argument("a surface of --surfaces is not known (--help lists them)");
   return chosen;
+}
+
+template <template <class, class> class Hints, class Subgraph = DFS::Full_graph>
+using Random_order_traits =
+    CGAL::Surface_insertion_policies_3<Subgraph, meters::Random_log_star_rounds, Hints>;
+
+// Cells entered and calls per point, and the same for the traces.
+template <class Traits, class Triangulation>
+Json counts_of_run(const Mesh& mesh, unsigned int seed)
+{
+  Triangulation tr;
+  comparison::Counting_visitor visitor(comparison::Counted_calls{&tr.geom_traits().counts()});
+  comparison::insert_by_package<Traits>(tr, mesh, seed, visitor);
+  const std::size_t n = mesh.number_of_vertices();
+  const meters::Predicate_counts location = visitor.total(Phase::LOCATION),
+                                 trace = visitor.total(Phase::TRACE);
+  Json result = {{"cells_entered", per_point(location.cells_entered(), n)},
+                 {"calls", per_point(location.all(), n)}};
+  if (trace.all() > 0) {
+    result["trace_cells_entered"] = per_point(trace.cells_entered(), n);
+    result["trace_calls"] = per_point(trace.all(), n);
+  }
+  return result;
+}
+
+using Counted_fast_triangulation =
+    CGAL::Delaunay_triangulation_3<comparison::Counting_kernel, CGAL::Fast_location>;
+
+// Ways to locate that have an order or a triangulation of their own, by name.
+std::map<std::string, std::function<Json(const Mesh&, unsigned int seed)>> whole_runs()
+{
+  using namespace comparison;
+  return {{"walk-trace", counts_of_run<meters::Random_tracing_traits, Counted_triangulation>},
+          {"fast-location",
+           counts_of_run<Random_order_traits<meters::No_hint_3>, Counted_fast_triangulation>},
+          {"plain", counts_of_run<CGAL::Plain_insertion_traits_3, Counted_triangulation>}};
 }
 
 // --- What is measured ----------------------------------------------------------------------------------

@@ -247,7 +247,7 @@ void measure(std::size_t n, Gains& table)
 {
   const Indexed_surface surface = surfaces::genus_surface(3, n, 0.05, 2024);
   measure_points<Triangulation>(table, "points in a cube",
-                                comparison::points_in_box(n, 1, 1, 1, 2024).points);
+                                surfaces::points_in_box(n, 1, 1, 1, 2024).points);
   measure_points<Triangulation>(table, "points on a height field", surfaces::terrain(n).points);
   measure_points<Triangulation>(table, "surface: points alone", surface.points);
   measure_input(table, surface);

@@ -89,7 +89,7 @@ int main(int argc, char** argv)
   program.option("peer", peers, "NAME=COMMAND", "another program, as README.md says");
   const auto measure = [&](std::size_t n, comparison::Gains& gains) {
     // Steps of a hundredth of the distance between neighbours.
-    compare("points in a cube", comparison::points_in_box(n, 1, 1, 1, 2024).points,
+    compare("points in a cube", surfaces::points_in_box(n, 1, 1, 1, 2024).points,
             .01 / std::cbrt(double(n)), gains, launcher, peers);
     compare("points of a surface", surfaces::genus_surface(3, n, 0.05, 2024).points,
             .01 / std::sqrt(double(n)), gains, launcher, peers);

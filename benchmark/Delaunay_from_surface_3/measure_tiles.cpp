@@ -223,7 +223,7 @@ void measure_into(const Options& options, Json& report)
   inputs.push_back(
       {"tilted-planes", "", 100, [](std::size_t n, std::uint64_t) { return tilted_planes(n); }});
   inputs.push_back({"cube", "", 100, [](std::size_t n, std::uint64_t s) {
-                      return comparison::points_in_box(n, 1, 1, 1, s);
+                      return surfaces::points_in_box(n, 1, 1, 1, s);
                     }});
   for (const std::size_t n : options.sizes)
     for (const auto& input : inputs)

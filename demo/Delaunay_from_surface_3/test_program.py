@@ -515,6 +515,17 @@ class Output(ProgramCase):
         self.refuses("boxes.off: the surface has no inside: no tetrahedron is inside; there are no faces with an area, or each is given twice, ",
                      "boxes.off", "--inside", "-o", "inside.mesh")
 
+    def test_volume_enclosed(self):
+        """Only of one piece: two that look in opposite directions would have none."""
+        corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1", "5 0 0", "6 0 0", "5 1 0", "5 0 1"]
+        faces = ["3 0 2 1", "3 0 1 3", "3 0 3 2", "3 1 2 3", "3 4 5 6", "3 4 7 5", "3 4 6 7", "3 5 7 6"]
+        for n, volume in ((1, 1 / 6), (2, None)):
+            self.write("pieces.off", "OFF", f"{4 * n} {4 * n} 0", *corners[:4 * n], *faces[:4 * n])
+            values = json.loads(self.works("pieces.off", "--inside", "-o", "a.vtk", "--json"))
+            self.assertEqual(values.get("volume_enclosed"), volume and round(volume, 9))
+            self.assertNotIn("not_closed", values)
+            self.assertAlmostEqual(values["volume_inside"], n / 6, 8)
+
     def test_warnings_of_an_inside(self):
         """Where much of the volume may be wrong: of a coarse star, and below a wide opening; with --quiet, too."""
         rim = [(math.cos(.1 * math.pi * k), math.sin(.1 * math.pi * k), .3 * math.sin(.7 * math.pi * k)) for k in range(20)]

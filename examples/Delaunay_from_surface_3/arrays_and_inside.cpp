@@ -87,7 +87,7 @@ int main(int argc, char* argv[])
         return EXIT_FAILURE;
       }
     }
-    double enclosed = 0; // by the surface, if it is closed and consistently oriented
+    double enclosed = 0; // by the surface, if it is closed, in one piece and consistently oriented
     for (const auto& face : faces)
       for (std::size_t k = 2; k < face.size(); ++k)
         enclosed +=

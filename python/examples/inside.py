@@ -70,6 +70,6 @@ if __name__ == "__main__":
     a, b, c = points[faces].transpose(1, 0, 2)
     enclosed = abs(np.einsum("ij,ij->", a, np.cross(b, c))) / 6
     print(f"{len(tetrahedra)} of {triangulation.nsimplex} tetrahedra are inside; their volume is {volume:.6g}, "
-          f"and that of the surface {enclosed:.6g}, if it is closed and consistently oriented")
+          f"and that of the surface {enclosed:.6g}, if it is closed, in one piece and consistently oriented")
     if len(sys.argv) > 2:
         write_vtk(sys.argv[2], points, tetrahedra)

@@ -182,7 +182,7 @@ inline int run_tiles_command(Tiles_command& command)
     tiles.do_task(points, command.options, *command.task);
     return EXIT_SUCCESS;
   }
-  const bool was_done = // but for what is written at the end
+  const bool was_done = // and no other file is asked for
       command.join.empty() && !command.neighbors &&
       std::filesystem::exists(std::filesystem::path(command.output) / "tiles.json") &&
       tiles.next(points, command.options).number == 0;

@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/Inside_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/IO/io.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/inside_of_surface_3.h>
@@ -170,6 +171,7 @@ arrays_of_triangulation(const Triangulation& tr,
 
 // Finds which tetrahedra are inside the surface, and how sure that is.
 
+namespace DFS = CGAL::Delaunay_from_surface_3;
 using Arrays = CGAL::Delaunay_3_arrays<std::int32_t>;
 
 inline bool is_closed_mesh(const Surface& surface)
@@ -207,12 +209,24 @@ inline double volume_inside(const Surface& surface, const Arrays& arrays,
         const auto& p = surface.points[std::size_t(arrays.vertices(c)[k])];
         corners[k] = {p.x(), p.y(), p.z()};
       }
-      volume += CGAL::Delaunay_from_surface_3::internal::volume_of(corners);
+      volume += DFS::internal::volume_of(corners);
     }
   return volume;
 }
 
-// Returns the volume that a closed mesh encloses.
+// Returns whether the faces are in one piece. Several pieces may overlap, be cavities, or be inside out.
+inline bool is_in_one_piece(const Surface& surface)
+{
+  DFS::internal::Disjoint_sets<std::size_t> pieces(surface.points.size());
+  for (const std::vector<std::size_t>& face : surface.faces)
+    for (const std::size_t v : face)
+      pieces.unite(face[0], v);
+  return std::all_of(surface.faces.begin(), surface.faces.end(), [&](const auto& face) {
+    return pieces.root(face[0]) == pieces.root(surface.faces[0][0]);
+  });
+}
+
+// Returns the volume that a closed mesh in one piece encloses.
 inline double volume_enclosed(const Surface& surface)
 {
   double volume = 0;
@@ -227,10 +241,10 @@ inline double volume_enclosed(const Surface& surface)
 inline void report_inside(const std::string& input, const Surface& surface, const Arrays& arrays,
                           const CGAL::Inside_3& inside, Report& report, Messages& messages)
 {
-  if (is_closed_mesh(surface))
-    report("volume enclosed", volume_enclosed(surface));
-  else
+  if (!is_closed_mesh(surface))
     report("not closed", why_not_closed(surface, arrays));
+  else if (is_in_one_piece(surface))
+    report("volume enclosed", volume_enclosed(surface));
   report("volume inside", volume_inside(surface, arrays, inside));
   report("faces turned", inside.number_of_turned);
   report("tetrahedra in doubt", fraction(inside.number_of_doubtful, inside.winding_numbers.size()));
@@ -240,12 +254,11 @@ inline void report_inside(const std::string& input, const Surface& surface, cons
   report("volume possibly wrong",
          decimals(100 * inside.crossed_volume, 4) + " %, which such faces cut off");
   report("in several parts", inside.number_of_multiple);
-  const std::string warning = CGAL::Delaunay_from_surface_3::internal::warning_of(inside);
+  const std::string warning = DFS::internal::warning_of(inside);
   if (!warning.empty())
     messages.warn(input + ": " + warning);
 }
 
-namespace DFS = CGAL::Delaunay_from_surface_3;
 using Vertices = std::vector<Triangulation::Vertex_handle>;
 
 // Returns the files that the tetrahedra go to; the list is empty for the standard output.

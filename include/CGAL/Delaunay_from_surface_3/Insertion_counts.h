@@ -67,7 +67,7 @@ struct Insertion_counts
   /// Their tests, and the cells that they would have destroyed, are included in the other counts.
   std::size_t clashes = 0;
 
-  /// points that clashed again and again and were left to the calling thread.
+  /// points that were tried several times in vain, and left to the calling thread.
   std::size_t put_off = 0;
 
   /// adds the counts of another worker.

@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any, NamedTuple, NoReturn, SupportsIndex, Tuple
+from typing import Any, NoReturn, SupportsIndex, Tuple
 
 import numpy as np
 

@@ -107,8 +107,6 @@ inline std::vector<Named_surface> with_twins(std::vector<Named_surface> all)
   return all;
 }
 
-using surfaces::points_in_box;
-
 // measure(family, kind, surface), one after the other, of about n points; the tori of more, what is
 // of quadratic size or takes long to find, of fewer.
 template <class Measure>
@@ -126,8 +124,9 @@ void for_walk_cases(std::size_t n, std::uint64_t seed, const Measure& measure)
   measure("stars", "hubs on two lines", surfaces::skew_stars(n, seed));
   for (const auto& [name, a] : {std::pair("1/100", 1e-2), {"1/1000", 1e-3}, {"1/10000", 1e-4}}) {
     const std::string thin = name;
-    measure("points alone", "box 1 : " + thin + " : " + thin, points_in_box(n, 1, a, a, seed));
-    measure("points alone", "slab 1 : 1 : " + thin, points_in_box(n, 1, 1, a, seed));
+    measure("points alone", "box 1 : " + thin + " : " + thin,
+            surfaces::points_in_box(n, 1, a, a, seed));
+    measure("points alone", "slab 1 : 1 : " + thin, surfaces::points_in_box(n, 1, 1, a, seed));
   }
 }
 

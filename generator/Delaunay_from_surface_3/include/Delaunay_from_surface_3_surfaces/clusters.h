@@ -4,8 +4,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_CLUSTERS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_CLUSTERS_H
 
-// Points alone that crowd in places, as those of astronomy and of neural rendering do: soups without
-// faces.
+// Points alone, which are soups without faces: random ones, and such that crowd in places, as those
+// of astronomy and of neural rendering do.
 
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>

@@ -7,8 +7,8 @@
 
 // Several workers insert a chunk of a round of Choi 2002, Fig. 1, lines 2b and 2c. Every start is a
 // vertex of an earlier round, or leads to one, so that any worker can insert any point of the chunk
-// at any time. A point that clashes is put off until its worker has tried the others, and if it
-// clashes twice more, until all have ended, when the caller inserts it alone: no worker waits.
+// at any time. No worker waits for another: a point that clashes is put off, and tried twice more
+// when nothing else is left to its worker; the caller inserts the rest when all workers have ended.
 //
 // The result is right even if workers run one after the other: the first one then takes all points.
 
@@ -189,7 +189,7 @@ public:
       sum += worker->counts();
     return sum;
   }
-  std::size_t number_of_workers() const { return m_executor.number_of_workers(); }
+  std::size_t number_of_threads() const { return m_executor.number_of_workers(); }
 
 private:
   // Holds the data that the workers of a chunk have in common, and the data of each worker.
@@ -345,40 +345,28 @@ private:
 // Inserts chunks of a round of Choi 2002, Fig. 1, lines 2b and 2c, by several workers.
 
 template <class Vertex>
-class Insert_by_workers
+class Insert_by_workers : public Parallel_triangulation<Vertex>
 {
 public:
   // Keeps references.
   Insert_by_workers(Ordered_complex<Vertex>& points, const Executor& executor, Observer& observer)
-    : m_points(points)
+    : Parallel_triangulation<Vertex>(points.complex, executor)
+    , m_points(points)
     , m_observer(observer)
-    , m_triangulation(points.complex, executor)
   {
   }
-
-  std::size_t size_of_chunk(std::size_t inserted) const
-  {
-    return m_triangulation.size_of_chunk(inserted);
-  }
-  std::size_t number_of_threads() const { return m_triangulation.number_of_workers(); }
 
   // Inserts the points at the places first, …, last - 1; returns false if the observer stopped it.
   bool operator()(std::size_t first, std::size_t last)
   {
-    return m_triangulation.insert_chunk(
+    return this->insert_chunk(
         first, last, m_points.vertices, m_points.starting_cells(),
         [&](std::size_t inserted) { return m_observer.go_further(inserted); });
   }
 
-  // To be called when all points are inserted.
-  void finish() { m_triangulation.finish(); }
-
-  Insertion_counts counts() const { return m_triangulation.counts(); }
-
 private:
   Ordered_complex<Vertex>& m_points;
   Observer& m_observer;
-  Parallel_triangulation<Vertex> m_triangulation;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
