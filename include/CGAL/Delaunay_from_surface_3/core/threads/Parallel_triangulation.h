@@ -238,9 +238,7 @@ private:
       auto& own = chunk.own[t];
       while (!chunk.is_stopped && !chunk.is_full) {
         const Shares::Range batch = chunk.shares.take(t, m_rules.batch);
-        if (batch.first == batch.second)
-          break;
-        if (!may_go_further(chunk, t, batch.first))
+        if (batch.first == batch.second || !may_go_further(chunk, t, batch.first))
           break;
         const std::size_t before = own.clashes;
         for (std::size_t i = batch.first; i < batch.second; ++i)
@@ -250,10 +248,12 @@ private:
         if (t % 2 == 1 && 2 * (own.clashes - before) > batch.second - batch.first)
           break;
       }
-      for (unsigned k = 0; k < 2; ++k) // others have gone on by now
-        for (const std::size_t i : std::exchange(own.put_off, {}))
-          if (may_go_further(chunk, t, i))
-            insert_or_put_off(chunk, t, i);
+      for (unsigned again = 0; again < 2; ++again) { // others have gone on by now
+        const std::vector<std::size_t> put_off = std::exchange(own.put_off, {});
+        for (std::size_t k = 0; k < put_off.size(); ++k)
+          if (k % m_rules.batch != 0 || may_go_further(chunk, t, put_off[k]))
+            insert_or_put_off(chunk, t, put_off[k]);
+      }
     } catch (...) {
       if (!chunk.has_error.exchange(true))
         chunk.error = std::current_exception();
@@ -343,7 +343,6 @@ private:
 };
 
 // Inserts chunks of a round of Choi 2002, Fig. 1, lines 2b and 2c, by several workers.
-
 template <class Vertex>
 class Insert_by_workers : public Parallel_triangulation<Vertex>
 {
