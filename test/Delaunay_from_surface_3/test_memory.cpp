@@ -11,6 +11,7 @@
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
@@ -34,6 +35,7 @@
 #include <vector>
 
 #if defined(__linux__)
+#include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
 #endif
@@ -141,7 +143,41 @@ std::vector<std::size_t> large_pages_there(void* begin, std::size_t bytes)
 
 } // namespace
 
-// First: once large blocks were given back, glibc takes larger ones than before from the heap,
+#if defined(__GLIBC__) && defined(MADV_POPULATE_WRITE)
+// Blocks that are allocated, and how many of their pages are there.
+double share_there(std::size_t number, std::size_t size)
+{
+  constexpr std::size_t page = 4096;
+  std::vector<std::unique_ptr<char[]>> blocks;
+  std::size_t there = 0;
+  for (std::size_t k = 0; k < number; ++k) {
+    blocks.emplace_back(new char[size]);
+    for (std::size_t i = page; i + page < size; i += page) {
+      unsigned char is_there = 0;
+      const auto at = reinterpret_cast<std::uintptr_t>(&blocks.back()[i]) / page * page;
+      BOOST_TEST_REQUIRE(mincore(reinterpret_cast<void*>(at), page, &is_there) == 0);
+      there += is_there & 1;
+    }
+  }
+  return double(there) / double(number * ((size - 1) / page - 1));
+}
+
+// First, as blocks may lie elsewhere in a heap with gaps.
+BOOST_AUTO_TEST_CASE(the_heap_keeps_pages_taken_for_it)
+{
+  Page_array<char> array;
+  array.reserve(24 * large_page, 0);
+  if (madvise(array.data(), 4096, MADV_POPULATE_WRITE) != 0)
+    return;
+  malloc_trim(0); // what earlier cases have left
+  BOOST_TEST(share_there(6, 1000000) < 0.2);
+  malloc_trim(0);
+  CGAL::Delaunay_from_surface_3::core::take_pages_for_heap(7000000);
+  BOOST_TEST(share_there(6, 1000000) > 0.8);
+}
+#endif
+
+// Next: once large blocks were given back, glibc takes larger ones than before from the heap,
 // where what lies between them stays.
 BOOST_AUTO_TEST_CASE(points_on_a_surface)
 {
@@ -278,6 +314,25 @@ BOOST_AUTO_TEST_CASE(small_arrays_leave_their_pages_to_the_heap)
                std::ptrdiff_t(size - some));
   }
 }
+
+// Where the system can.
+BOOST_AUTO_TEST_CASE(small_pages_are_taken_before_they_are_written)
+{
+  Page_array<char> array;
+  array.reserve(24 * large_page, 0);
+  const std::size_t first = large_page / 2, last = large_page; // in no large page
+  BOOST_TEST(bytes_there(array) == 0u);
+  array.touch(first, last);
+#if defined(MADV_POPULATE_WRITE)
+  if (madvise(array.data(), 4096, MADV_POPULATE_WRITE) != 0) {
+    BOOST_TEST_MESSAGE("skipped: the system takes pages one by one");
+    return;
+  }
+  BOOST_TEST(bytes_there(array) == last - first + 4096);
+  BOOST_TEST(array.end_of_pages(first / 3) == large_page);
+#endif
+}
+
 #endif
 
 // One page at a time, just before it is used, and none any more after one that was dear.

@@ -20,6 +20,7 @@
 #include <CGAL/Triangulation_hierarchy_3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
@@ -114,13 +115,17 @@ std::size_t blocks_of_export(const Executor& executor, std::size_t n)
   return has_time_stamp<typename Range::value_type> ? 1 : number_of_blocks(executor, n, least);
 }
 
-// Calls body(begin, end) for portions of first, …, last - 1, in ascending order.
-template <class Body>
-void for_each_portion(std::size_t first, std::size_t last, const Body& body)
+// Calls body(begin, end) for portions of first, …, last - 1, in ascending order, which make elements
+// in `range`. Before each the heap takes pages for as many: CGAL's containers take memory in blocks,
+// each of 16 elements more than the last, and touch it page by page.
+template <class Range, class Body>
+void for_each_portion(const Range& range, std::size_t first, std::size_t last, const Body& body)
 {
   constexpr std::size_t portion = std::size_t(1) << 16;
   for (std::size_t begin = first, end; begin < last; begin = end) {
     end = (std::min)(last, begin / portion * portion + portion);
+    const std::size_t block = std::size_t(6 * std::sqrt(double(range.capacity())));
+    take_pages_for_heap((end - begin + block) * sizeof(typename Range::value_type));
     body(begin, end);
   }
 }
@@ -143,7 +148,7 @@ public:
   {
     // Before this cell there are handles to keep.
     const std::size_t kept = first + Made::cells_overwritten(last - first);
-    for_each_portion(first, last, [&](std::size_t begin, std::size_t end) {
+    for_each_portion(range, first, last, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c) {
         const Compact_cell cell = built.cells[c];
         const std::size_t own = c - first;
@@ -266,14 +271,19 @@ export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const 
   std::vector<Range> ranges(number);
   ranges[0].swap(tr.tds().vertices());
   for_each_block(executor, end, number, [&](std::size_t first, std::size_t last, std::size_t b) {
-    for (std::size_t k = (std::max)(first, std::size_t(1)); k < last; ++k) {
+    const auto make = [&](std::size_t k) {
       const std::size_t v = in_order(k);
       const bool is_new = vertices[v] == typename Triangulation::Vertex_handle();
       if (const auto* const p = is_new ? point(v) : nullptr) {
         vertices[v] = ranges[b].emplace();
         vertices[v]->set_point(*p);
       }
-    }
+    };
+    for_each_portion(ranges[b], (std::max)(first, std::size_t(1)), last,
+                     [&](std::size_t k, std::size_t portion_end) {
+                       for (; k < portion_end; ++k)
+                         make(k);
+                     });
   });
   for (Range& range : ranges)
     tr.tds().vertices().merge(range);

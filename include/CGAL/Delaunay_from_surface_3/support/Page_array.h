@@ -30,12 +30,49 @@ namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 constexpr std::size_t large_page = std::size_t(1) << 21;
+constexpr std::size_t small_pages = std::size_t(1) << 18; // bytes of those taken at once
 
 // Returns whether an array of so many bytes begins at a large page. Smaller ones lie in the heap
 // like other memory, whose pages the next call finds again, without page faults.
 constexpr bool begins_at_large_page(std::size_t bytes)
 {
   return bytes >= 16 * large_page;
+}
+
+// To be called before the bytes of [begin, end) are written for the first time: takes their small
+// pages from the system at once. A page fault for each costs much more. The system may refuse,
+// which is no error. If the last page is there, the others are taken to be there, too.
+inline void take_pages(void* begin, void* end)
+{
+#if defined(__linux__) && defined(MADV_POPULATE_WRITE)
+  constexpr std::uintptr_t page = 4096, least = 8 * page;
+  const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(begin) / page * page;
+  const std::uintptr_t last = reinterpret_cast<std::uintptr_t>(end) / page * page;
+  unsigned char is_there = 0;
+  if (last >= first + least &&
+      (mincore(reinterpret_cast<void*>(last - page), page, &is_there) != 0 || is_there == 0))
+    madvise(reinterpret_cast<void*>(first), last - first, MADV_POPULATE_WRITE);
+#else
+  (void)begin, (void)end;
+#endif
+}
+
+// Takes pages for what others are about to allocate in smaller pieces: gives them to the heap, which
+// keeps them. If glibc maps the first of the two allocations apart, its threshold for that grows when
+// it is given back, untouched, so that the second comes from the heap.
+inline void take_pages_for_heap(std::size_t bytes)
+{
+#if defined(__GLIBC__)
+  if (bytes < large_page)
+    return;
+  ::operator delete(::operator new(bytes, std::nothrow));
+  if (char* const memory = static_cast<char*>(::operator new(bytes, std::nothrow))) {
+    take_pages(memory, memory + bytes);
+    ::operator delete(memory);
+  }
+#else
+  (void)bytes;
+#endif
 }
 
 // The processor time of this thread, so that on a busy machine the turns of others do not count.
@@ -60,7 +97,7 @@ struct Thread_clock
 // touched just before it is used, and timed; the first that is dear is the last. Each array finds
 // out for itself, since a page that was dear a moment ago may be cheap now, and no state has to
 // outlive the array: it loses one page at most. Arrays that are too small to gain as much take no
-// large pages. glibc maps the others aside, unless the heap's end has room: there advice stays.
+// large pages.
 class Large_pages
 {
 public:
@@ -104,6 +141,25 @@ private:
   std::size_t m_end = 0;
 };
 
+#if defined(__linux__)
+// Maps memory that begins at a large page. Memory of the heap would keep the advice.
+inline void* map_at_large_page(std::size_t bytes)
+{
+  constexpr std::uintptr_t small = std::uintptr_t(1) << 16; // or smaller, nearly everywhere
+  const std::size_t size = (bytes + small - 1) / small * small, all = size + large_page;
+  void* const mapped =
+      mmap(nullptr, all, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (bytes > all || mapped == MAP_FAILED)
+    throw std::bad_alloc();
+  char* const begin = static_cast<char*>(mapped);
+  const std::size_t before = (0 - reinterpret_cast<std::uintptr_t>(mapped)) % large_page;
+  if (before != 0)
+    munmap(begin, before);
+  munmap(begin + before + size, large_page - before);
+  return begin + before;
+}
+#endif
+
 // Memory for large arrays that live for a short time and are filled at once, in large pages if the
 // system has them at hand.
 template <class T>
@@ -121,6 +177,7 @@ struct Large_page_allocator
   {
     T* const data = allocate_untouched(n);
     Large_pages(n * sizeof(T)).touch(data, 0, n * sizeof(T));
+    take_pages(data, data + n);
     return data;
   }
 
@@ -129,13 +186,32 @@ struct Large_page_allocator
   {
     if (n > (std::numeric_limits<std::size_t>::max)() / sizeof(T))
       throw std::bad_alloc();
+#if defined(__linux__)
+    if (begins_at_large_page(n * sizeof(T)))
+      return static_cast<T*>(map_at_large_page(n * sizeof(T)));
+#endif
     return static_cast<T*>(::operator new(n * sizeof(T), alignment(n)));
   }
 
-  void deallocate(T* data, std::size_t n) { ::operator delete(data, alignment(n)); }
+  void deallocate(T* data, std::size_t n)
+  {
+#if defined(__linux__)
+    if (begins_at_large_page(n * sizeof(T))) {
+      munmap(data, n * sizeof(T));
+      return;
+    }
+#endif
+    ::operator delete(data, alignment(n));
+  }
 
-  friend bool operator==(const Large_page_allocator&, const Large_page_allocator&) { return true; }
-  friend bool operator!=(const Large_page_allocator&, const Large_page_allocator&) { return false; }
+  friend bool operator==(const Large_page_allocator&, const Large_page_allocator&)
+  {
+    return true;
+  }
+  friend bool operator!=(const Large_page_allocator&, const Large_page_allocator&)
+  {
+    return false;
+  }
 
 private:
   static constexpr std::align_val_t alignment(std::size_t n)
@@ -215,10 +291,11 @@ public:
     larger.m_capacity = n;
     larger.m_pages = Large_pages(n * sizeof(T));
     for (std::size_t i = 0; i < used;) { // parts that were moved do not take memory twice
-      const std::size_t end = (std::min)(used, larger.end_of_page(i));
+      const std::size_t end = (std::min)(used, larger.end_of(large_page, i));
       larger.touch(i, end);
       std::memcpy(static_cast<void*>(larger.m_data + i), m_data + i, (end - i) * sizeof(T));
-      release_before_end(i, end);
+      if (begins_at_large_page(n * sizeof(T)))
+        release(i, end);
       i = end;
     }
     larger.swap(*this);
@@ -237,13 +314,14 @@ public:
   void touch(std::size_t first, std::size_t last)
   {
     m_pages.touch(m_data, first * sizeof(T), last * sizeof(T));
+    take_pages(m_data + first, m_data + last);
   }
 
-  // Returns the first element of the large page after that of element i, or the end of the array.
-  std::size_t end_of_page(std::size_t i) const
+  // Returns the first element after those whose pages are taken together with that of element i, or
+  // the end of the array.
+  std::size_t end_of_pages(std::size_t i) const
   {
-    constexpr std::size_t size = large_page / sizeof(T);
-    return (std::min)(m_capacity, i / size * size + size);
+    return end_of(m_pages.end() != 0 ? large_page : small_pages, i);
   }
 
   // To be called when the elements first, …, last - 1 are not read any more. Whole pages go back to
@@ -283,6 +361,12 @@ public:
 private:
   template <class U>
   friend class Page_array;
+
+  std::size_t end_of(std::size_t bytes, std::size_t i) const
+  {
+    const std::size_t size = bytes / sizeof(T);
+    return (std::min)(m_capacity, i / size * size + size);
+  }
 
   T* m_data = nullptr;
   std::size_t m_capacity = 0;

@@ -281,7 +281,7 @@ private:
       throw Too_many_cells();
     if (m_cells_end == m_cells.capacity())
       m_cells.reserve((std::min)(more_room(m_cells_end), m_most_cells), m_cells_end);
-    m_cells_ready = (std::min)(m_cells.end_of_page(m_cells_end), m_most_cells);
+    m_cells_ready = (std::min)(m_cells.end_of_pages(m_cells_end), m_most_cells);
     m_cells.touch(m_cells_end, m_cells_ready);
   }
 
