@@ -162,14 +162,14 @@ double share_there(std::size_t number, std::size_t size)
   return double(there) / double(number * ((size - 1) / page - 1));
 }
 
-// First, as blocks may lie elsewhere in a heap with gaps.
+// The heap keeps them; first, as blocks may lie elsewhere in a heap with gaps.
 BOOST_AUTO_TEST_CASE(the_heap_keeps_pages_taken_for_it)
 {
   Page_array<char> array;
   array.reserve(24 * large_page, 0);
   if (madvise(array.data(), 4096, MADV_POPULATE_WRITE) != 0)
     return;
-  malloc_trim(0); // what earlier cases have left
+  malloc_trim(0);
   BOOST_TEST(share_there(6, 1000000) < 0.2);
   malloc_trim(0);
   CGAL::Delaunay_from_surface_3::core::take_pages_for_heap(7000000);
@@ -328,11 +328,11 @@ BOOST_AUTO_TEST_CASE(small_pages_are_taken_before_they_are_written)
     BOOST_TEST_MESSAGE("skipped: the system takes pages one by one");
     return;
   }
-  BOOST_TEST(bytes_there(array) == last - first + 4096);
+  BOOST_TEST(bytes_there(array) >= last - first);
+  BOOST_TEST(bytes_there(array) <= large_page); // all of it, if large pages are the rule
   BOOST_TEST(array.end_of_pages(first / 3) == large_page);
 #endif
 }
-
 #endif
 
 // One page at a time, just before it is used, and none any more after one that was dear.
