@@ -40,6 +40,7 @@ SHOWS = {  # in the table of the benchmark's README
     "calls_1M": "the same for a million points",
     "calls_sizes": "the same for one surface in three sizes",
     "calls_digging": "the same before and after digging counted cells where it writes them",
+    "calls_pages": "the same before and after small pages are taken many at a time",
     "single_calls": "the same for small meshes, also after a rest, in which the host takes memory back",
     "demo_meshes": "the 143 meshes of `libcgal-demo`, one by one",
     "small_meshes": "instructions for those of less than 3,000 vertices",

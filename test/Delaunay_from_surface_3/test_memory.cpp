@@ -37,12 +37,32 @@
 #if defined(__linux__)
 #include <malloc.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 #endif
 
 namespace {
 
+std::size_t bytes_taken_at_once = 0;
+
+} // namespace
+
+#if defined(__linux__)
+// Takes the place of the system's, and counts.
+extern "C" int madvise(void* begin, std::size_t bytes, int advice) noexcept
+{
+#if defined(MADV_POPULATE_WRITE)
+  if (advice == MADV_POPULATE_WRITE)
+    bytes_taken_at_once += bytes;
+#endif
+  return int(syscall(SYS_madvise, begin, bytes, advice));
+}
+#endif
+
+namespace {
+
 using namespace CGAL::Delaunay_from_surface_3::internal;
+using CGAL::Delaunay_from_surface_3::core::take_pages_for_heap;
 using Triangulation =
     CGAL::Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
 
@@ -99,11 +119,11 @@ std::vector<std::string> in_large_pages()
 // How many large pages are advised when the cells are all there, before they are handed over.
 struct Visitor_at_export : CGAL::Default_surface_insertion_visitor_3
 {
-  std::size_t advised = 0;
+  std::size_t advised = 0, taken_before = 0;
   void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t)
   {
     if (phase == CGAL::Surface_insertion_phase::FINISH)
-      advised = in_large_pages().size();
+      advised = in_large_pages().size(), taken_before = bytes_taken_at_once;
   }
 };
 
@@ -144,40 +164,69 @@ std::vector<std::size_t> large_pages_there(void* begin, std::size_t bytes)
 } // namespace
 
 #if defined(__GLIBC__) && defined(MADV_POPULATE_WRITE)
-// Blocks that are allocated, and how many of their pages are there.
+// The share of the pages that are there in blocks just allocated.
 double share_there(std::size_t number, std::size_t size)
 {
   constexpr std::size_t page = 4096;
   std::vector<std::unique_ptr<char[]>> blocks;
-  std::size_t there = 0;
+  std::size_t there = 0, all = 0;
   for (std::size_t k = 0; k < number; ++k) {
     blocks.emplace_back(new char[size]);
-    for (std::size_t i = page; i + page < size; i += page) {
+    for (std::size_t i = page; i + page < size; i += page, ++all) {
       unsigned char is_there = 0;
       const auto at = reinterpret_cast<std::uintptr_t>(&blocks.back()[i]) / page * page;
       BOOST_TEST_REQUIRE(mincore(reinterpret_cast<void*>(at), page, &is_there) == 0);
       there += is_there & 1;
     }
   }
-  return double(there) / double(number * ((size - 1) / page - 1));
+  return double(there) / double(all);
 }
 
-// The heap keeps them; first, as blocks may lie elsewhere in a heap with gaps.
-BOOST_AUTO_TEST_CASE(the_heap_keeps_pages_taken_for_it)
+bool takes_pages_at_once()
 {
   Page_array<char> array;
   array.reserve(24 * large_page, 0);
-  if (madvise(array.data(), 4096, MADV_POPULATE_WRITE) != 0)
+  const bool is_able = madvise(array.data(), 4096, MADV_POPULATE_WRITE) == 0;
+  if (!is_able)
+    BOOST_TEST_MESSAGE("skipped: the system takes pages one by one");
+  return is_able;
+}
+
+// The first case, since in a heap with gaps blocks may lie elsewhere.
+BOOST_AUTO_TEST_CASE(the_heap_keeps_pages_taken_for_it)
+{
+  if (!takes_pages_at_once())
     return;
   malloc_trim(0);
   BOOST_TEST(share_there(6, 1000000) < 0.2);
   malloc_trim(0);
-  CGAL::Delaunay_from_surface_3::core::take_pages_for_heap(7000000);
+  take_pages_for_heap(7000000);
   BOOST_TEST(share_there(6, 1000000) > 0.8);
+}
+
+// By plain CGAL none; by the export those of all of CGAL's cells.
+BOOST_AUTO_TEST_CASE(pages_of_cgal_are_taken_at_once)
+{
+  if (!takes_pages_at_once())
+    return;
+  const auto surface = surfaces::genus_surface(1, 150000, 0.05);
+  bytes_taken_at_once = 0;
+  const Triangulation plain(surface.points.begin(), surface.points.end());
+  BOOST_TEST(bytes_taken_at_once == 0u);
+  Triangulation tr;
+  Visitor_at_export visitor;
+  malloc_trim(0);
+  CGAL::insert_points_3(tr, surface.points, surface.faces,
+                        CGAL::parameters::visitor(std::ref(visitor)));
+  const double taken = double(bytes_taken_at_once - visitor.taken_before);
+  const double needed = double(tr.tds().number_of_cells()) * sizeof(*tr.infinite_cell());
+  BOOST_TEST_MESSAGE("taken at once " << taken / needed << " of the bytes of cells");
+  BOOST_TEST(taken > 0.9 * needed);
+  BOOST_TEST(taken < 1.5 * needed);
 }
 #endif
 
-// Next: once large blocks were given back, glibc takes larger ones than before from the heap,
+// Second: once large blocks were given back, glibc takes larger ones than before from the heap,
 // where what lies between them stays.
 BOOST_AUTO_TEST_CASE(points_on_a_surface)
 {
@@ -315,7 +364,6 @@ BOOST_AUTO_TEST_CASE(small_arrays_leave_their_pages_to_the_heap)
   }
 }
 
-// Where the system can.
 BOOST_AUTO_TEST_CASE(small_pages_are_taken_before_they_are_written)
 {
   Page_array<char> array;
@@ -323,11 +371,9 @@ BOOST_AUTO_TEST_CASE(small_pages_are_taken_before_they_are_written)
   const std::size_t first = large_page / 2, last = large_page; // in no large page
   BOOST_TEST(bytes_there(array) == 0u);
   array.touch(first, last);
-#if defined(MADV_POPULATE_WRITE)
-  if (madvise(array.data(), 4096, MADV_POPULATE_WRITE) != 0) {
-    BOOST_TEST_MESSAGE("skipped: the system takes pages one by one");
+#if defined(__GLIBC__) && defined(MADV_POPULATE_WRITE)
+  if (!takes_pages_at_once())
     return;
-  }
   BOOST_TEST(bytes_there(array) >= last - first);
   BOOST_TEST(bytes_there(array) <= large_page); // all of it, if large pages are the rule
   BOOST_TEST(array.end_of_pages(first / 3) == large_page);

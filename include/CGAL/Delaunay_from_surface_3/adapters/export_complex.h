@@ -115,9 +115,10 @@ std::size_t blocks_of_export(const Executor& executor, std::size_t n)
   return has_time_stamp<typename Range::value_type> ? 1 : number_of_blocks(executor, n, least);
 }
 
-// Calls body(begin, end) for portions of first, …, last - 1, in ascending order, which make elements
-// in `range`. Before each the heap takes pages for as many: CGAL's containers take memory in blocks,
-// each of 16 elements more than the last, and touch it page by page.
+// Calls body(begin, end) for portions of first, …, last - 1, in ascending order, each of which makes
+// at most as many elements in `range`. CGAL's containers allocate blocks, each of 16 elements more
+// than the last, and touch them page by page; so the heap takes pages for each portion before, and
+// for a block more, since the last one may reach beyond.
 template <class Range, class Body>
 void for_each_portion(const Range& range, std::size_t first, std::size_t last, const Body& body)
 {
@@ -271,19 +272,17 @@ export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const 
   std::vector<Range> ranges(number);
   ranges[0].swap(tr.tds().vertices());
   for_each_block(executor, end, number, [&](std::size_t first, std::size_t last, std::size_t b) {
-    const auto make = [&](std::size_t k) {
-      const std::size_t v = in_order(k);
-      const bool is_new = vertices[v] == typename Triangulation::Vertex_handle();
-      if (const auto* const p = is_new ? point(v) : nullptr) {
-        vertices[v] = ranges[b].emplace();
-        vertices[v]->set_point(*p);
+    const auto make = [&](std::size_t k, std::size_t portion_end) {
+      for (; k < portion_end; ++k) {
+        const std::size_t v = in_order(k);
+        const bool is_new = vertices[v] == typename Triangulation::Vertex_handle();
+        if (const auto* const p = is_new ? point(v) : nullptr) {
+          vertices[v] = ranges[b].emplace();
+          vertices[v]->set_point(*p);
+        }
       }
     };
-    for_each_portion(ranges[b], (std::max)(first, std::size_t(1)), last,
-                     [&](std::size_t k, std::size_t portion_end) {
-                       for (; k < portion_end; ++k)
-                         make(k);
-                     });
+    for_each_portion(ranges[b], (std::max)(first, std::size_t(1)), last, make);
   });
   for (Range& range : ranges)
     tr.tds().vertices().merge(range);

@@ -30,7 +30,7 @@ namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 constexpr std::size_t large_page = std::size_t(1) << 21;
-constexpr std::size_t small_pages = std::size_t(1) << 18; // bytes of those taken at once
+constexpr std::size_t small_pages = std::size_t(1) << 18; // bytes that are taken at once
 
 // Returns whether an array of so many bytes begins at a large page. Smaller ones lie in the heap
 // like other memory, whose pages the next call finds again, without page faults.
@@ -39,10 +39,17 @@ constexpr bool begins_at_large_page(std::size_t bytes)
   return bytes >= 16 * large_page;
 }
 
+// Small pages have 64 kB at most, nearly everywhere.
+constexpr std::size_t rounded_to_small_pages(std::size_t bytes)
+{
+  constexpr std::size_t page = std::size_t(1) << 16;
+  return (bytes + page - 1) / page * page;
+}
+
 // To be called before the bytes of [begin, end) are written for the first time: takes their small
 // pages from the system at once. A page fault for each costs much more. The system may refuse,
 // which is no error. If the last page is there, the others are taken to be there, too.
-inline void take_pages(void* begin, void* end)
+inline void take_pages([[maybe_unused]] void* begin, [[maybe_unused]] void* end)
 {
 #if defined(__linux__) && defined(MADV_POPULATE_WRITE)
   constexpr std::uintptr_t page = 4096, least = 8 * page;
@@ -52,15 +59,13 @@ inline void take_pages(void* begin, void* end)
   if (last >= first + least &&
       (mincore(reinterpret_cast<void*>(last - page), page, &is_there) != 0 || is_there == 0))
     madvise(reinterpret_cast<void*>(first), last - first, MADV_POPULATE_WRITE);
-#else
-  (void)begin, (void)end;
 #endif
 }
 
 // Takes pages for what others are about to allocate in smaller pieces: gives them to the heap, which
 // keeps them. If glibc maps the first of the two allocations apart, its threshold for that grows when
 // it is given back, untouched, so that the second comes from the heap.
-inline void take_pages_for_heap(std::size_t bytes)
+inline void take_pages_for_heap([[maybe_unused]] std::size_t bytes)
 {
 #if defined(__GLIBC__)
   if (bytes < large_page)
@@ -70,8 +75,6 @@ inline void take_pages_for_heap(std::size_t bytes)
     take_pages(memory, memory + bytes);
     ::operator delete(memory);
   }
-#else
-  (void)bytes;
 #endif
 }
 
@@ -141,15 +144,16 @@ private:
   std::size_t m_end = 0;
 };
 
-#if defined(__linux__)
-// Maps memory that begins at a large page. Memory of the heap would keep the advice.
-inline void* map_at_large_page(std::size_t bytes)
+// Returns memory that begins at a large page: in Linux apart from the heap, which would keep the
+// advice.
+inline void* allocate_at_large_page(std::size_t bytes)
 {
-  constexpr std::uintptr_t small = std::uintptr_t(1) << 16; // or smaller, nearly everywhere
-  const std::size_t size = (bytes + small - 1) / small * small, all = size + large_page;
+#if defined(__linux__)
+  const std::size_t size = rounded_to_small_pages(bytes), all = size + large_page;
   void* const mapped =
-      mmap(nullptr, all, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (bytes > all || mapped == MAP_FAILED)
+      all < bytes ? MAP_FAILED
+                  : mmap(nullptr, all, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapped == MAP_FAILED)
     throw std::bad_alloc();
   char* const begin = static_cast<char*>(mapped);
   const std::size_t before = (0 - reinterpret_cast<std::uintptr_t>(mapped)) % large_page;
@@ -157,8 +161,19 @@ inline void* map_at_large_page(std::size_t bytes)
     munmap(begin, before);
   munmap(begin + before + size, large_page - before);
   return begin + before;
-}
+#else
+  return ::operator new(bytes, std::align_val_t(large_page));
 #endif
+}
+
+inline void deallocate_at_large_page(void* memory, [[maybe_unused]] std::size_t bytes)
+{
+#if defined(__linux__)
+  munmap(memory, rounded_to_small_pages(bytes));
+#else
+  ::operator delete(memory, std::align_val_t(large_page));
+#endif
+}
 
 // Memory for large arrays that live for a short time and are filled at once, in large pages if the
 // system has them at hand.
@@ -186,38 +201,24 @@ struct Large_page_allocator
   {
     if (n > (std::numeric_limits<std::size_t>::max)() / sizeof(T))
       throw std::bad_alloc();
-#if defined(__linux__)
-    if (begins_at_large_page(n * sizeof(T)))
-      return static_cast<T*>(map_at_large_page(n * sizeof(T)));
-#endif
-    return static_cast<T*>(::operator new(n * sizeof(T), alignment(n)));
+    const std::size_t bytes = n * sizeof(T);
+    return static_cast<T*>(begins_at_large_page(bytes) ? allocate_at_large_page(bytes)
+                                                       : ::operator new(bytes, cache_line));
   }
 
   void deallocate(T* data, std::size_t n)
   {
-#if defined(__linux__)
-    if (begins_at_large_page(n * sizeof(T))) {
-      munmap(data, n * sizeof(T));
-      return;
-    }
-#endif
-    ::operator delete(data, alignment(n));
+    if (begins_at_large_page(n * sizeof(T)))
+      deallocate_at_large_page(data, n * sizeof(T));
+    else
+      ::operator delete(data, cache_line);
   }
 
-  friend bool operator==(const Large_page_allocator&, const Large_page_allocator&)
-  {
-    return true;
-  }
-  friend bool operator!=(const Large_page_allocator&, const Large_page_allocator&)
-  {
-    return false;
-  }
+  friend bool operator==(const Large_page_allocator&, const Large_page_allocator&) { return true; }
+  friend bool operator!=(const Large_page_allocator&, const Large_page_allocator&) { return false; }
 
 private:
-  static constexpr std::align_val_t alignment(std::size_t n)
-  {
-    return std::align_val_t(begins_at_large_page(n * sizeof(T)) ? large_page : 64);
-  }
+  static constexpr std::align_val_t cache_line = std::align_val_t(64);
 };
 
 template <class T>
