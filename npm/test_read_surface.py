@@ -66,6 +66,7 @@ GOOD = {
     "A.off": f"off\n5 5 0\n{rows(POINTS)}{counted(FACES)}".encode(), "B.off": f"5 5 0\n{rows(POINTS)}{counted(FACES)}".encode(),
     "C.obj": f"# C:\\models\\\n{rows(('v', *p) for p in POINTS)}{rows(('f', *(v + 1 for v in f)) for f in FACES)}".encode(),
     "D.ply": b"\xef\xbb\xbf" + ply("binary_little_endian"),
+    "E.off": f"OFF5 5 0\n{rows(POINTS)}{counted(FACES)}".encode(),
     "a.off": f"# a comment\nOFF\n\n5 5 0\n{rows(POINTS)}{counted(FACES)}".encode(),
     "b.OFF": f"COFF 5 5 0 # counts\r\n{rows((*p, 255, 0, 0, 255) for p in POINTS)}{counted(FACES)}".replace("\n", "\r\n").encode(),
     "c.obj": (f"mtllib x\n{rows(('v', *p) for p in POINTS)}vt 0 0\nf 4 3 2 \\\n 1\nf 1/1/1 2/1 5//1\nf -4 -3 -1\n" +
@@ -79,7 +80,9 @@ CLOUDS = {
     "m.csv": rows(POINTS).replace(" ", ";").encode(),
     "n.csv": ("id,z,x,y,\n" + "".join(f"{9 - i},{z},{x},{y},\n" for i, (x, y, z) in enumerate(POINTS))).encode(),
     "o.xyz": (b"\xef\xbb\xbf5\nfour corners, and 1\n" + rows(("C", *p) for p in POINTS).encode()),
-    "p.txt": ("//X Y Z\n" + rows(POINTS)).encode(), "q.pts": rows((*p, 7) for p in POINTS).encode(),
+    "o1.xyz": ("5\n\n" + rows(("C", *p) for p in POINTS)).encode(), "o2.csv": ("x,y,z,r,g,b\n" + "".join(
+        f"{x},{y},{z},255,128,3\n" for x, y, z in POINTS)).encode(),
+    "o3.xyz": rows((*p, p[2]) for p in POINTS).encode(), "p.txt": ("//X Y Z\n" + rows(POINTS)).encode(), "q.pts": rows((*p, 7) for p in POINTS).encode(),
 }
 BROKEN = {
     "n.off": (b"OFF\n2 0 0\n0 0 0\n", "n.off, line 3: the file ends before point 1 of 2"),
@@ -93,6 +96,12 @@ BROKEN = {
     "u.ply": (ply("binary_little_endian")[:-30], "u.ply: the file ends before all of its elements"),
     "v.stl": (binary_stl()[:-60].replace(b"solid", b"other"), "v.stl: the file ends before triangle 4 of 6"),
     "v1.stl": (text_stl()[:-60], "v1.stl, line 40: the file ends within a facet"),
+    "v11.stl": (text_stl()[:-len("endsolid\n")], "v11.stl, line 43: the file ends within a solid: endsolid is missing"),
+    "v12.ply": (b"ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+                b"0 0 0 9\n1 0 0 9\n", "v12.ply, line 9: the file goes on, and its header announces fewer numbers"),
+    "v13.off": (b"OFF\n1 0 0\n0 0 0\n1 0 0\n", "v13.off, line 4: the file goes on, and its header announces 1 points and 0 faces"),
+    "v14.ply": (ply("ascii").replace(b"indices", b"list"), "v14.ply, line 20: the faces do not have the property vertex_indices"),
+    "v15.csv": (b"x,y,z,radius\n0,0,0,1\n1,0,0,-1\n", "v15.csv, line 3: the radius -1 is negative"),
     "v2.ply": (b"ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n3 0 1 2\n",
                "v2.ply, line 6: strips of triangles are not read: write triangles"),
     "v3.obj": (b"v 0 0 0\nf -1 -2 1\n", "v3.obj, line 2: there is no point -2"),

@@ -4,8 +4,10 @@
 
 """Tests of Voronoi and power cells: run in a Python into which the module is installed."""
 
+import copy
 import ctypes
 import itertools
+import pickle
 import platform
 import shutil
 import subprocess
@@ -327,6 +329,15 @@ class Cells(unittest.TestCase):
                 (ValueError, "voronoi_cell: .*use power_cell", lambda: weighted.voronoi_cell(0))):
             with self.assertRaisesRegex(error, message):
                 call()
+        both = dfs.delaunay3(self.points % 1, weights=np.zeros(len(self.points)), box=(1, 1, 1))
+        for of_weights in (weighted, both):
+            for name in dir(dfs.Delaunay3):
+                if name.startswith(("voronoi", "circum", "minimum")) or name == "inside":
+                    with self.assertRaisesRegex(ValueError, f"{name}: the points (have weights|are in a periodic box): "):
+                        value = getattr(of_weights, name)
+                        value(0) if name == "voronoi_cell" else value()
+        for frozen in (pickle.loads(pickle.dumps(both)), copy.deepcopy(both)):
+            self.assertFalse(frozen.weights.flags.writeable or frozen.box.flags.writeable)
         flat = dfs.delaunay3(self.points * [1, 1, 0])
         for name in ("voronoi_areas", "voronoi_facets", "facet_corners", "solid_angles"):
             with self.assertRaisesRegex(ValueError, f"{name}: there are no tetrahedra"):

@@ -170,6 +170,10 @@ void note_what_is_odd(const Options& options, const Surface& surface, Messages& 
     messages.note(options.input + ": " + std::to_string(surface.announced_points) +
                   " points are announced, and only " + std::to_string(surface.points.size()) +
                   " are there");
+  if (surface.has_more)
+    messages.note(options.input + ": what follows is passed over, as the header announces only " +
+                  std::to_string(surface.points.size()) + " points and " +
+                  std::to_string(surface.faces.size() + surface.collapsed_triangles) + " faces");
   if (options.weights) {
     if (!surface.faces.empty())
       messages.note(options.input + ": its faces are passed over, as its points have weights");
@@ -225,7 +229,7 @@ int run(const Options& options, const Surface& surface, Output& output, Report& 
     if (!options.view.empty()) {
       messages.step("writing " + options.view);
       write_view(options, surface, tr, vertices, traits, visitor.has_replaced_order(),
-                 output.view(), report);
+                 output.view(), report, messages);
       messages.clear();
     }
   note_what_is_odd(options, surface, messages); // beside an error it would be in the way

@@ -159,6 +159,11 @@ class Surfaces(ProgramCase):
         self.write("mac.xyz", b"0 0 0\r1 0 0\r0 1 0\r0 0 1")
         for name in ("mac.off", "mac.obj", "mac.xyz"):
             self.works(name, "--quiet", "--json", prints=[r'"finite_cells": 1\b'])
+        for end in (b"\r\r\n", b"\r"):  # a text made one of Windows twice, and ends of all kinds in one
+            self.write("mixed.xyz", b"# a comment\n0 0 0" + end + b"1 0 0" + end + b"0 1 0" + end + b"0 0 1\n")
+            self.works("mixed.xyz", "--quiet", "--json", prints=[r'"finite_cells": 1\b'])
+        self.write("wrong.xyz", b"0 0 0\r\r\n1 0 0\r0 x 0\n")
+        self.refuses("wrong.xyz: cannot be read as .xyz: line 3: 'x' is not a number", "wrong.xyz")
         self.write("short.off", b"OFF\r4 1 0\r0 0 0\r1 0 0\r")
         self.refuses("short.off: cannot be read as .off: line 4: the file ends too early", "short.off")
 
@@ -187,6 +192,21 @@ class Surfaces(ProgramCase):
         self.works("points.pts", notes=rf"note: points.pts: {2 ** 64 - 1} points are announced, and only 4[^\n]*\n" + alone)
         self.write("points.pts", "3", *corners)
         self.works("points.pts", notes=alone)
+
+    def test_more_than_is_announced(self):
+        """It is passed over, and said; columns that are not announced would be taken for the next points."""
+        more = r"note: (more\.[a-z]+): what follows is passed over, as the header announces only 4 points and 2 faces\n"
+        self.write("more.off", "OFF", "4 2 0", *PLY_CORNERS, "3 0 2 1", "3 0 1 3", "3 1 2 3")
+        self.works("more.off", notes=more)
+        faces = [*PLY_VERTICES, "element face 2", "property list uchar int vertex_indices", "end_header"]
+        self.write("more.ply", *faces, *PLY_CORNERS, "3 0 2 1", "3 0 1 3", "3 1 2 3")
+        self.works("more.ply", notes=more)
+        self.write("wide.ply", *faces, *(p + " 0 0 1" for p in PLY_CORNERS), "3 0 2 1", "3 0 1 3")
+        self.refuses("wide.ply: cannot be read as .ply: the first vertex has 6 numbers in its line, and the",
+                     "wide.ply")
+        triangle = struct.pack("<12fH", 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
+        self.write("more.stl", bytes(80) + struct.pack("<I", 1) + 2 * triangle)
+        self.works("more.stl", notes=PLANE_NOTE + more.replace("4 points and 2", "3 points and 1"))
 
     def test_texts_of_stl(self):
         """In capital letters, behind a mark of UTF-8, a tab or nothing: CGAL's reader took some for binary first and kept

@@ -55,6 +55,16 @@ class View(ProgramCase):
         self.assertEqual(list(arrays["triangles"]), [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3])
         self.assertEqual(list(arrays["inside"]), [1])  # nearly closed: the two points are one
 
+    def test_doubt(self):
+        """What is in doubt inside is said with the page as with a file, and once."""
+        lines = ["OFF", "8 10 0", *(f"{x} {y} {z}" for z in (0, 1) for y in (0, 1) for x in (0, 1))]
+        faces = ["0 2 3", "0 3 1", "0 1 5", "0 5 4", "2 6 7", "2 7 3", "0 4 6", "0 6 2", "1 3 7", "1 7 5"]
+        self.write("open.off", *lines, *("3 " + f for f in faces))  # a cube without its lid
+        three = self.write("three.min.js", "var THREE = {};")
+        for options in ((), ("--output", "a.vtu", "--mark-inside")):
+            result = self.run_program("open.off", "--view", "page.html", "--three-js", three, *options)
+            self.assertEqual(result.stderr.count("in doubt, near openings"), 1, result.stderr)
+
     def test_less_than_a_closed_surface(self):
         """A soup has no inside and no subgraph, points alone have no surface; polygons become triangles."""
         self.write("points.xyz", *TETRAHEDRON[2:6])

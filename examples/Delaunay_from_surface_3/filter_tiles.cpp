@@ -15,11 +15,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <random>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 using Vector = std::array<double, 3>;
@@ -70,30 +73,45 @@ double part_of_voronoi_cell(const Vector& a, const Vector& b, const Vector& c)
   return volume;
 }
 
-int main(int argc, char* argv[])
+// A folder that nobody else has, as long as it lives.
+struct Folder
 {
+  Folder()
+  {
+    if (!std::filesystem::create_directory(path))
+      throw std::runtime_error(path.string() + " is there already");
+  }
+  Folder(const Folder&) = delete;
+  ~Folder()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+
+  const std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                     ("filter_tiles-" + std::to_string(std::random_device()()));
+};
+
+int main(int argc, char* argv[])
+try {
   const std::size_t side = argc > 1 ? std::size_t(std::atoi(argv[1])) : 20;
   if (side < 3 || side > 1000) {
     std::cerr << "expected a number of points on each side, from 3 to 1000\n";
     return EXIT_FAILURE;
   }
-  const std::filesystem::path folder = // one that nobody else has
-      std::filesystem::temp_directory_path() /
-      ("filter_tiles-" + std::to_string(std::random_device()()));
-  if (!std::filesystem::create_directory(folder)) {
-    std::cerr << folder << " is there already\n";
-    return EXIT_FAILURE;
-  }
+  const Folder folder;
   {
-    std::ofstream file(folder / "lattice.raw", std::ios::binary);
+    std::ofstream file(folder.path / "lattice.raw", std::ios::binary);
+    file.exceptions(std::ios::failbit | std::ios::badbit); // the disk may be full
     for (std::size_t i = 0; i < side * side * side; ++i) {
       const double p[] = {double(i % side), double(i / side % side), double(i / side / side)};
       file.write(reinterpret_cast<const char*>(p), sizeof(p));
     }
+    file.close();
   }
   // [tiles]
-  const CGAL::Point_files_3 points({folder / "lattice.raw"});
-  CGAL::Tiles_in_files_3 engine(folder / "tiles");
+  const CGAL::Point_files_3 points({folder.path / "lattice.raw"});
+  CGAL::Tiles_in_files_3 engine(folder.path / "tiles");
   CGAL::Tiles_options options;
   options.number_of_tiles = 8; // or options.memory, in bytes
   // [tiles]
@@ -124,7 +142,6 @@ int main(int argc, char* argv[])
           cubes += std::abs(volume - 1) < 1e-9;
       },
       options);
-  std::filesystem::remove_all(folder);
 
   std::cout << report.points << " points in " << report.tiles << " tiles, " << report.cells
             << " finite and infinite cells, of which " << small
@@ -133,4 +150,7 @@ int main(int argc, char* argv[])
   return cubes == inner * inner * inner && small > 5 * (side - 1) * (side - 1) * (side - 1)
              ? EXIT_SUCCESS
              : EXIT_FAILURE;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return EXIT_FAILURE;
 }

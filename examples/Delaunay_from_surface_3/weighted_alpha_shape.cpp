@@ -72,8 +72,11 @@ std::vector<Ball> chain_of_balls(std::size_t n)
 std::vector<Ball> read_balls(const char* file_name)
 {
   std::vector<Ball> balls;
-  for (const auto& [x, y, z, radius] : read_rows<4>(file_name))
+  for (const auto& [x, y, z, radius] : read_rows<4>(file_name)) {
+    if (radius < 0)
+      throw std::runtime_error(std::string(file_name) + ": a radius is negative");
     balls.emplace_back(K::Point_3(x, y, z), radius * radius);
+  }
   return balls;
 }
 

@@ -272,6 +272,9 @@ void edit(Indexed_surface& surface, const po::variables_map& options)
 void run(const po::variables_map& options)
 {
   const std::string file_name = text(options, "output");
+  if (options.count("input") && files::are_same_file(text(options, "input"), file_name))
+    throw std::invalid_argument(file_name + ": would overwrite the input");
+  files::remove_files_on_signal();
   CGAL::Real_timer timer;
   timer.start();
   Indexed_surface surface = make_shape(options);

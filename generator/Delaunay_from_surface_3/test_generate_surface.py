@@ -46,6 +46,13 @@ class Generate_surface(ProgramCase):
                 self.refuses(rf"{name}: [^\n]*{message}", "--shape", "loop", "--input", name)
         self.refuses(r"nowhere\?\.off: No such file", "--shape", "loop", "--input", "nowhere\n.off")
 
+    def test_output_over_input(self):
+        mine = self.folder / "mine.off"
+        mine.write_bytes(TORUS.read_bytes())
+        super().refuses(".*mine.off: would overwrite the input", "--shape", "loop", "--input", "mine.off", "--output",
+                        mine, prefix="generate_surface: ")
+        self.assertEqual(mine.read_bytes(), TORUS.read_bytes())
+
     def test_a_disk_that_is_full(self):
         """Nothing is left of the file, and an older one stays."""
         self.write("refused.off", "an older result")

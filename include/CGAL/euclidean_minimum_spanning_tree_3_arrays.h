@@ -54,8 +54,8 @@ the smaller index first
 
 \pre The points have no weights, and lie in no periodic box.
 
-\throws Surface_input_error if a coordinate is not a finite number, or if the arrays are of another
-number of points
+\throws Surface_input_error if a coordinate is not a finite number, if the arrays are of another number
+of points, or if weights hide a point
 \throws std::length_error if there are more than 700 million tetrahedra
 
 \sa `delaunay_3_arrays()`
@@ -67,6 +67,7 @@ OutputIterator euclidean_minimum_spanning_tree_3(const Delaunay_3_arrays<Index>&
   using namespace Delaunay_from_surface_3::internal;
   Read_coordinates<PointRange> read(points);
   check_number_of_points(arrays, read.size());
+  refuse_hidden_points(arrays, "spanning tree needs all points");
   if (arrays.dimension() < 1)
     return out;
   std::vector<Measured_edge<std::uint32_t>> tree;

@@ -90,10 +90,7 @@ Inside_3 inside_of_surface_3(const PointRange& points, const FaceRange& faces,
   check_number_of_points(arrays, array.size());
   if (arrays.dimension() < 3)
     throw Surface_input_error("the surface has no inside: there are no tetrahedra");
-  for (std::size_t i = 0; i < array.size(); ++i)
-    if (arrays.vertex_of_point(i) == Delaunay_3_arrays<Index>::none)
-      throw Surface_input_error("vertex " + std::to_string(i) +
-                                ": its weight hides it, and a surface needs all its vertices");
+  refuse_hidden_points(arrays, "surface needs all its vertices");
   const typename Executor_of_tag<ConcurrencyTag>::type executor;
   const auto find = [&](const auto& neighbors_of) {
     return find_inside(

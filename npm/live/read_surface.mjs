@@ -5,8 +5,8 @@
 // Reads what is dropped onto the live page: meshes and clouds in .off, .ply, .obj, .stl, .xyz, .pts, .txt and .csv.
 
 // Returns {points, triangles, radii}: flat typed arrays. There are no triangles if the file has points only, and polygons
-// become fans. Radii are null unless the file has one for each point: the fourth and last column of .xyz, .txt or .csv, a
-// column of that name, or PLY's property "radius".
+// become fans. Radii are null unless the file has one for each point: the fourth and last column of .xyz, .txt or .csv, if no
+// number in it is negative, a column of that name, or PLY's property "radius".
 export function readSurface(name, bytes) {
   const ending = name.toLowerCase().match(/\.[a-z]+$/)?.[0];
   const reader = readers[ending];
@@ -48,6 +48,11 @@ class Reading {
   count(word, what) {
     const n = this.index(word);
     return n >= 0 && n < 2 ** 31 ? n : this.refuse(`'${word}' is not a number of ${what}`);
+  }
+
+  radius(word) {
+    const radius = this.number(word);
+    return radius >= 0 ? radius : this.refuse(`the radius ${word} is negative`);
   }
 
   addPoint(words, from = 0) {
@@ -95,6 +100,12 @@ function nextRow(file, iterator, what) {
   return done ? file.refuse(`the file ends before ${what}`) : value;
 }
 
+// What is not announced may be what was meant.
+function refuseMore(file, iterator, announced) {
+  if (!iterator.next().done)
+    file.refuse(`the file goes on, and its header announces ${announced}`);
+}
+
 // --- Points alone ---
 
 const isName = (word) => /^(?:\/\/)?["a-z_]/i.test(word) && !/^(?:nan|inf)/i.test(word);
@@ -102,15 +113,19 @@ const isName = (word) => /^(?:\/\/)?["a-z_]/i.test(word) && !/^(?:nan|inf)/i.tes
 // Where the coordinates and the radius stand, by the names of columns.
 function columnsOf(names) {
   const plain = names.map((name) => name.replace(/["/]/g, "").toLowerCase());
-  const columns = ["x", "y", "z"].map((name) => plain.indexOf(name)), radius = plain.findIndex((name) => name === "radius" || name === "r");
+  const columns = ["x", "y", "z"].map((name) => plain.indexOf(name)), isRadius = (name) => name === "radius" || (name === "r" && !plain.includes("g"));
+  const radius = plain.findIndex(isRadius); // "r" may be red
   return !columns.includes(-1) ? {columns, radius} : names.length === 3 ? {columns: [0, 1, 2], radius: -1} : undefined;
 }
+
+// A line of a molecule, which is no title.
+const isAtom = (words) => words.length === 4 && /^[A-Z][a-z]?$/.test(words[0]) && words.slice(1).every((word) => Number.isFinite(Number(word)));
 
 function readColumns(file, text, mayHaveRadii, separator) {
   let width = 0, at, announced, isFirst = true, isTitle = false;
   for (let words of rows(file, text, "#", separator)) {
     const isCount = isFirst && words.length === 1; // as in .pts files, and in chemists' .xyz files, where a title follows
-    const isHeader = (isFirst && words.every(isName)) || (isTitle && words.some((word) => word === "" || Number.isNaN(Number(word))));
+    const isHeader = (isFirst && words.every(isName)) || (isTitle && !isAtom(words) && words.some((word) => word === "" || Number.isNaN(Number(word))));
     isFirst = false;
     if (isHeader && !isTitle)
       at = columnsOf(words) ?? file.refuse("no columns are named x, y and z");
@@ -119,17 +134,21 @@ function readColumns(file, text, mayHaveRadii, separator) {
     isTitle = isCount;
     if (isCount || isHeader)
       continue;
-    if (words.length === 4 && /^[A-Z][a-z]?$/.test(words[0])) // an element
+    if (isAtom(words)) // without its element
       words = words.slice(1);
     if (words.length < 3)
       file.refuse("expected three numbers");
     width ||= words.length;
     if (words.length !== width)
       file.refuse(`expected ${width} numbers, as in the lines before`);
-    at ??= {columns: [0, 1, 2], radius: mayHaveRadii && width === 4 ? 3 : -1};
+    at ??= {columns: [0, 1, 2], radius: mayHaveRadii && width === 4 ? 3 : -1, isGuess: true};
     file.addPoint(at.columns.map((k) => words[k]));
+    if (at.isGuess && Number(words[at.radius]) < 0) { // it is something else
+      at.radius = -1;
+      file.radii = [];
+    }
     if (at.radius >= 0)
-      file.radii.push(file.number(words[at.radius]));
+      file.radii.push(file.radius(words[at.radius]));
   }
   const n = file.points.length / 3;
   if (announced !== undefined && announced !== n)
@@ -146,6 +165,9 @@ function readCsv(file, text) {
 function readOff(file, text) {
   const iterator = rows(file, text);
   let words = nextRow(file, iterator, "the word OFF");
+  const joined = /^([A-Z]+)(\d+)$/i.exec(words[0]); // as ModelNet writes it
+  if (joined)
+    words.splice(0, 1, joined[1], joined[2]);
   const kind = /^\d/.test(words[0]) ? "OFF" : words.shift(); // which may be missing
   if (!/^(ST)?C?N?OFF$/i.test(kind))
     file.refuse(`expected OFF, not '${inShort(kind)}'`);
@@ -162,6 +184,7 @@ function readOff(file, text) {
       file.refuse(`expected ${size} corners`);
     file.addPolygon(face.slice(1, size + 1).map((word) => file.index(word)));
   }
+  refuseMore(file, iterator, `${n} points and ${m} faces`);
 }
 
 // --- OBJ ---
@@ -200,16 +223,19 @@ function readStl(file, bytes) {
         corner([0, 4, 8].map((k) => file.number(data.getFloat32(84 + 50 * i + at + k, true))))));
     return;
   }
-  let corners = [];
-  for (const [what, ...words] of rows(file, textOf(bytes)))
+  let corners = [], isOpen = true;
+  for (const [what, ...words] of rows(file, textOf(bytes))) {
+    if (/^(end)?solid$/i.test(what))
+      isOpen = what.length === 5;
     if (what.toLowerCase() === "vertex")
       corners.push(corner([0, 1, 2].map((k) => file.number(words[k]))));
     else if (what.toLowerCase() === "endfacet") {
       file.addPolygon(corners);
       corners = [];
     }
-  if (corners.length > 0)
-    file.refuse("the file ends within a facet");
+  }
+  if (corners.length > 0 || isOpen)
+    file.refuse(`the file ends within a ${corners.length > 0 ? "facet" : "solid: endsolid is missing"}`);
 }
 
 // --- PLY ---
@@ -242,14 +268,14 @@ function plyHeader(file, bytes) {
   return {format, elements, size: end.index + end[0].length};
 }
 
-// What returns the next number, of the type that is given: of text, or of bytes.
+// What returns the next number, of the type that is given: of text, with what is left of it, or of bytes.
 function plyNumbers(file, format, bytes) {
   if (format === "ascii") {
     const words = (function* () {
       for (const row of rows(file, textOf(bytes)))
         yield* row;
     })();
-    return () => file.number(nextRow(file, words, "all of its elements"));
+    return Object.assign(() => file.number(nextRow(file, words, "all of its elements")), {words});
   }
   if (!/^binary_(little|big)_endian$/.test(format))
     file.refuse(`the format '${format}' is not known`);
@@ -279,13 +305,16 @@ function readPly(file, bytes) {
       if (name === "vertex") {
         file.addPoint([values.x, values.y, values.z]);
         if ("radius" in values)
-          file.radii.push(file.number(values.radius));
+          file.radii.push(file.radius(values.radius));
       } else if (name === "tristrips") {
         file.refuse("strips of triangles are not read: write triangles");
       } else if (name === "face") {
-        file.addPolygon((values.vertex_indices ?? values.vertex_index ?? []).map((i) => file.index(i)));
+        file.addPolygon((values.vertex_indices ?? values.vertex_index ?? file.refuse("the faces do not have the property vertex_indices"))
+          .map((i) => file.index(i)));
       }
     }
+  if (next.words)
+    refuseMore(file, next.words, "fewer numbers");
 }
 
 const asText = (reader, ...more) => (file, bytes) => reader(file, textOf(bytes), ...more);

@@ -54,6 +54,8 @@ if __name__ == "__main__":
             sys.exit(f"{sys.argv[1]}: expected x, y, z, and a radius or none, in each line: {error}")
         if numbers.shape[1] not in (3, 4) or not np.isfinite(numbers).all():
             sys.exit(f"{sys.argv[1]}: expected x, y, z, and a radius or none, in each line")
+        if (numbers[:, 3:] < 0).any():
+            sys.exit(f"{sys.argv[1]}: a radius is negative")
         centers, radii = numbers[:, :3], numbers[:, 3:].ravel()
     if len(sys.argv) > 2 and os.path.exists(sys.argv[2]) and os.path.samefile(*sys.argv[1:3]):
         sys.exit(f"{sys.argv[2]} is the input: name another file")

@@ -283,6 +283,15 @@ inline bool is_file_of_run(const std::string& name)
   return is_file_of_tiles(name) || name == "tiles.json" || name == "tiles.begun";
 }
 
+// Returns whether a file of this name would be one of a run, where a system may take capital letters
+// and others for the same. For what is refused; what is removed must have exactly such a name.
+inline bool may_be_file_of_run(std::string name)
+{
+  for (char& c : name)
+    c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+  return is_file_of_run(name);
+}
+
 // Returns the names in a folder, but not below it; the list is empty if there is no folder.
 inline std::vector<std::string> names_in(const std::filesystem::path& folder)
 {
@@ -335,7 +344,7 @@ inline bool is_of_run(const std::filesystem::path& file, const std::filesystem::
 {
   const std::filesystem::path parent = place_of(file.parent_path()),
                               state = place_of(folder / "state");
-  return (is_file_of_run(file.filename().string()) && parent == place_of(folder)) ||
+  return (may_be_file_of_run(file.filename().string()) && parent == place_of(folder)) ||
          std::mismatch(state.begin(), state.end(), parent.begin(), parent.end()).first ==
              state.end();
 }

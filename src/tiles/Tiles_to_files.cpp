@@ -536,9 +536,11 @@ private:
     refuse_to_overwrite(source, m_folder);
     if (std::filesystem::exists(m_folder / "state" / "input"))
       return;
-    std::vector<std::filesystem::path> others = files_in(m_folder, is_file_of_tiles);
     if (std::filesystem::exists(m_folder / "tiles.json"))
-      others.insert(others.begin(), m_folder / "tiles.json");
+      refuse_file_of_others(m_folder / "tiles.json");
+    const auto others = files_in(m_folder, [](const std::string& name) {
+      return name != "tiles.begun" && may_be_file_of_run(name);
+    });
     if (!others.empty())
       refuse_file_of_others(others.front());
   }

@@ -28,6 +28,7 @@
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
 #include <CGAL/euclidean_minimum_spanning_tree_3_arrays.h>
 #include <CGAL/insert_points_3.h>
+#include <CGAL/regular_3_arrays.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
@@ -321,6 +322,23 @@ BOOST_AUTO_TEST_CASE(trees_of_arrays_with_equal_points)
 
 // Where all lengths differ there is one tree, and a graph contains it if and only if it has all its
 // edges.
+// The edges of the others need not have a tree.
+BOOST_AUTO_TEST_CASE(trees_of_arrays_with_hidden_points)
+{
+  const std::vector<std::array<double, 3>> points = {
+      {0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {1, 1, 1}};
+  const std::vector<double> weights = {0, 0, 0, 0, -10};
+  std::vector<std::array<std::int32_t, 2>> tree;
+  const auto refused = [](const CGAL::Surface_input_error& error) {
+    return std::string(error.what()) ==
+           "vertex 4: its weight hides it, and a spanning tree needs all points";
+  };
+  BOOST_CHECK_EXCEPTION(
+      CGAL::euclidean_minimum_spanning_tree_3(CGAL::regular_3_arrays(points, weights), points,
+                                              std::back_inserter(tree)),
+      CGAL::Surface_input_error, refused);
+}
+
 BOOST_AUTO_TEST_CASE(a_graph_contains_the_tree_if_it_has_its_edges)
 {
   const std::vector<Point> points = distinct(random_points(60, 1 << 20, 3));

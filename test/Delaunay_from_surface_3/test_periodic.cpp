@@ -358,7 +358,7 @@ BOOST_AUTO_TEST_CASE(far_from_the_origin)
   BOOST_TEST(
       starts_with(message_of({{1e17, 0, 0}}, {1, 1, 1}), "box: the period along x is so small"));
   BOOST_TEST(starts_with(message_of({{0, 0, 1e17}, {0, 0, 0}, {0, 0, 1}}, {2, 1e-3, none}),
-                         "box: the period along"));
+                         "box: the z coordinate of point 0, along"));
   BOOST_TEST(periodic_delaunay_3_arrays(moved(random_points(500), {1e8, 0, 0}), Box{1, 1, 1})
                  .number_of_copies() < 5000u);
 }
@@ -613,6 +613,35 @@ BOOST_AUTO_TEST_CASE(many_threads)
     BOOST_TEST((cells_of(plain) == cells_of(periodic_delaunay_3_arrays(points, box))));
     BOOST_TEST((cells_of(weighted) == cells_of(periodic_regular_3_arrays(points, weights, box))));
   }
+}
+
+// The memory of so many cells is mapped apart from the heap.
+BOOST_AUTO_TEST_CASE(many_points)
+{
+  Arrays arrays = periodic_delaunay_3_arrays(random_points(60000), Box{1, 1, 1});
+  BOOST_TEST(are_neighbors_right(arrays));
+  const Arrays copy = arrays;
+  arrays = Arrays();
+  BOOST_TEST(copy.number_of_simplices() > 6u * 60000);
+}
+
+// The order of the axes, and how far the points spread, does not matter.
+BOOST_AUTO_TEST_CASE(far_along_a_long_axis)
+{
+  Points points = random_points(20);
+  const auto cells = periodic_delaunay_3_arrays(points, Box{9000, 1, 1}).number_of_simplices();
+  for (const double spread : {1., 9000.}) {
+    Points far = points;
+    for (auto& p : far)
+      p[0] = p[0] * spread + 9e8;
+    const Arrays arrays = periodic_delaunay_3_arrays(far, Box{9000, 1, 1});
+    BOOST_TEST(are_neighbors_right(arrays));
+    BOOST_TEST((spread != 1 || arrays.number_of_simplices() == cells));
+  }
+  points[7][2] = 1e9;
+  BOOST_TEST(message_of(points, {1, 2, none}) ==
+             "box: the z coordinate of point 7, along an axis without a period, is 2^29 times the "
+             "shortest period; remedy: move the points towards 0");
 }
 
 BOOST_AUTO_TEST_CASE(stopped)

@@ -519,8 +519,7 @@ BOOST_AUTO_TEST_CASE(bad_files)
   check_refused([&] { run(CGAL::Point_files_3({folder.path / "nan.raw"}), folder.path / "out"); },
                 "nan.raw", "point 1: a coordinate is not a finite number");
   const Points plane = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}};
-  check_refused([&] { run(source_of(plane), folder.path / "plane"); }, "plane",
-                "use arrays");
+  check_refused([&] { run(source_of(plane), folder.path / "plane"); }, "plane", "use arrays");
 }
 
 BOOST_AUTO_TEST_CASE(states_of_others)
@@ -702,6 +701,11 @@ BOOST_AUTO_TEST_CASE(an_input_that_would_be_overwritten)
   fs::create_symlink(file, folder.path / "link.npy");
   check_refused([&] { run(folder.path / "link.npy", folder.path); }, "link.npy",
                 "would be overwritten");
+  const Folder capital; // where a system may take both names for the same
+  fs::copy_file(file, capital.path / "Points-00000.NPY");
+  check_refused([&] { run(capital.path / "Points-00000.NPY", capital.path); }, "Points-00000.NPY",
+                "would be overwritten");
+  check_refused([&] { run(file, capital.path); }, "Points-00000.NPY", "is of another run");
   // Nor one that would be removed with the state; what others have in a folder of that name stays.
   const Folder used;
   const fs::path below = used.path / "state" / "scans" / "mine.npy";

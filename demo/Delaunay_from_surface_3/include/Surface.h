@@ -49,6 +49,7 @@ struct Surface
   bool is_manifold = false;
   std::size_t collapsed_triangles = 0; // they were in the file, and are left out
   std::size_t announced_points = 0;    // by the file; there may be fewer
+  bool has_more = false;               // in the file than its header announces
 };
 
 // The default traits with many threads.
@@ -105,6 +106,7 @@ inline Surface read_surface(const std::string& file_name, const std::string& for
   surface.faces = std::move(soup.faces);
   surface.collapsed_triangles = soup.collapsed_triangles;
   surface.announced_points = soup.announced_points;
+  surface.has_more = soup.has_more;
   namespace PMP = CGAL::Polygon_mesh_processing;
   for (std::size_t i = 0; i < soup.weights.size(); ++i)
     surface.weighted.emplace_back(surface.points[i], soup.weights[i]);

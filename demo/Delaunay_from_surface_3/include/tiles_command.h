@@ -98,6 +98,8 @@ inline std::uint64_t parse_memory(const std::string& text)
     const std::size_t unit = units.find(char(std::toupper(static_cast<unsigned char>(*end++))));
     factor = unit == std::string::npos ? 0 : double(std::uint64_t(1) << (10 * (unit + 1)));
   }
+  if (factor > 1 && std::toupper(static_cast<unsigned char>(*end)) == 'B')
+    ++end; // 8GB
   if (text.empty() || *end != 0 || !(number * factor >= 1e6) || number * factor > 1e18)
     throw std::runtime_error("option '--memory' needs a size of at least 1M, as 500M, 8G or 1T");
   return std::uint64_t(number * factor);

@@ -56,6 +56,7 @@ struct View
   std::vector<std::uint32_t> tetrahedra, triangles, hull,
       subgraph;                             // the hull if there is no surface
   std::vector<std::uint8_t> inside, rounds; // for each tetrahedron; for each point
+  std::string doubt;                        // about those inside, which is not in the page
 };
 
 // Moves the middle of the points' box to 0 and scales its longest side to [-1, 1]: floats suffice.
@@ -144,6 +145,7 @@ inline View make_view(const Surface& surface, const Triangulation& tr, const Ver
     const CGAL::Inside_3 inside = inside_of(surface, arrays, has_threads);
     for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c)
       view.inside.push_back(std::uint8_t(inside[c]));
+    view.doubt = DFS::internal::warning_of(inside);
   } catch (const std::runtime_error&) { // it has no inside
   }
   if (order.round_ends.size() > 1 && order.round_ends.size() < 256) {
@@ -251,7 +253,7 @@ inline void check_that_view_is_possible(const Options& options, const Triangulat
 template <class Traits>
 void write_view(const Options& options, const Surface& surface, const Triangulation& tr,
                 const Vertices& vertices, const Traits& traits, bool has_replaced_order,
-                files::Output_file& file, Report& report)
+                files::Output_file& file, Report& report, Messages& messages)
 {
   DFS::Insertion_order order;
   if (!has_replaced_order)
@@ -260,6 +262,8 @@ void write_view(const Options& options, const Surface& surface, const Triangulat
   const std::string name = options.input == "-"
                                ? "standard input"
                                : std::filesystem::path(options.input).filename().string();
+  if (!view.doubt.empty() && !options.inside && !options.mark_inside) // else it has been said
+    messages.warn(options.input + ": " + view.doubt);
   write_page(file.stream(), name, options.three_js, view);
   const auto bytes = file.stream().tellp();
   file.finish();

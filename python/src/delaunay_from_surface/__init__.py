@@ -175,7 +175,6 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
         simplices, across, vertices, dimension = _core.delaunay3(array, faces, neighbors, chosen, called, number, order,
                                                                  array_of_weights)
     if array_of_weights is not None:
-        array_of_weights.flags.writeable = False
         return Regular3(array_of_weights, array, simplices, across, vertices, dimension, number)
     if faces is None or not inside:
         return Delaunay3(array, simplices, across, vertices, dimension, number)
@@ -204,7 +203,6 @@ def _in_box(points: Points, faces: Optional[Faces], weights: Optional[ArrayLike]
     arguments = (array, simplices, across, vertices, dimension, number)
     if array_of_weights is None:
         return Periodic3(box, offsets, is_simplicial_complex, *arguments)
-    array_of_weights.flags.writeable = False
     return PeriodicRegular3(box, offsets, is_simplicial_complex, array_of_weights, *arguments)
 
 

@@ -105,7 +105,7 @@ class LinearInterpolator(_Interpolator):
         weights, hidden points do not count.
     values
         The value of each point: (n, …) real or complex numbers, converted to float64 or complex128. Of equal points the
-        first one counts, which `triangulation.vertices` names. Values need not be finite: one that is not matters
+        first one counts, or with weights the heaviest. Values need not be finite: one that is not matters
         only where its weight is not 0, which is decided exactly.
     fill_value
         The value outside the hull.

@@ -148,6 +148,7 @@ class Periodic3(Delaunay3):
         if "neighbors" not in self.__dict__:
             raise ValueError("neighbors: a triangulation in a periodic box is made with them")
         self._box = box
+        box.flags.writeable = False  # as it is not in a copy or pickle, either
         self.offsets = offsets
         self.is_simplicial_complex = is_simplicial_complex
 
@@ -324,6 +325,8 @@ class Periodic3(Delaunay3):
 class PeriodicRegular3(Periodic3, Regular3):  # type: ignore[misc]
     """A regular triangulation of points with weights in a periodic box: that of all copies, which have the weights of their
     points. It has what `Periodic3` and `Regular3` have; `power_facets` have offsets."""
+
+    voronoi_facets = Regular3.voronoi_facets  # type: ignore[assignment]  # refused
 
     @property
     def power_facets(self) -> PeriodicPowerFacets:  # type: ignore[override]

@@ -14,7 +14,7 @@ import numpy as np
 from . import _delaunay_from_surface as _core
 from ._cells import CellPolyhedron, PowerFacets
 from ._result import AlphaComplex, Delaunay3
-from ._types import Indices, Radius, Reals, Spheres
+from ._types import Indices, Radius, Reals, Spheres, Truths
 
 
 class Regular3(Delaunay3):
@@ -34,6 +34,7 @@ class Regular3(Delaunay3):
     def __init__(self, weights: Reals, *of_triangulation: Any) -> None:
         super().__init__(*of_triangulation)
         self._weights = weights
+        weights.flags.writeable = False  # as it is not in a copy or pickle, either
 
     def __repr__(self) -> str:
         return f"{super().__repr__()[:-1]}, {len(self.hidden)} hidden points>".replace("<Delaunay3", "<Regular3")
@@ -113,6 +114,11 @@ class Regular3(Delaunay3):
 
     def _refuse(self, name: str, instead: str) -> NoReturn:
         raise ValueError(f"{name}: the points have weights: {instead}")
+
+    @property
+    def inside(self) -> Truths:
+        """Refused: weights may hide vertices of the surface."""
+        self._refuse("inside", "triangulate them without")
 
     @property
     def circumcenters(self) -> Reals:

@@ -74,11 +74,16 @@ extern "C" inline void remove_files_and_die(int signal)
   std::raise(signal);
 }
 
-// From now on, SIGINT and SIGTERM remove unfinished files before they end the program.
+// From now on, signals that end a program on request remove unfinished files before they do.
 inline void remove_files_on_signal()
 {
   files_to_remove(); // made before a handler can need it
-  for (const int signal : {SIGINT, SIGTERM})
+  for (const int signal : {
+           SIGINT, SIGTERM,
+#ifdef SIGHUP
+           SIGHUP, // of a terminal that is closed
+#endif
+       })
     if (std::signal(signal, remove_files_and_die) == SIG_IGN)
       std::signal(signal, SIG_IGN); // as nohup and shells' background jobs have it
 }

@@ -34,6 +34,7 @@ struct Polygon_soup
   std::vector<double> weights;         // of all points, or empty if they were not asked for
   std::size_t collapsed_triangles = 0; // of .stl, which are left out
   std::size_t announced_points = 0;    // by .xyz and .pts; there may be fewer
+  bool has_more = false;               // in the file than its header announces
 };
 
 // What is wrong with the content of a file; who catches it adds the name.
@@ -100,8 +101,34 @@ inline double parse_coordinate(std::string_view word)
   return error == std::errc() ? value : std::strtod(std::string(digits).c_str(), nullptr);
 }
 
-// The lines of a text that hold more than blanks and a comment, which begins with '#'. They end
-// with a line feed or, in a text without any, with a carriage return.
+// Where the line at `begin` ends: at a line feed or a carriage return.
+inline std::size_t end_of_line(std::string_view text, std::size_t begin = 0)
+{
+  while (begin < text.size() && text[begin] != '\n' && text[begin] != '\r')
+    ++begin;
+  return begin;
+}
+
+// Where the next line begins: both together end one line, and so does what a text becomes that is
+// twice made one of Windows.
+inline std::size_t behind_end_of_line(std::string_view text, std::size_t end)
+{
+  for (const std::string_view both : {"\r\n", "\r\r\n"})
+    if (text.substr(end, both.size()) == both)
+      return end + both.size();
+  return (std::min)(end + 1, text.size());
+}
+
+// Takes a line off a text.
+inline std::string_view take_line(std::string_view& text)
+{
+  const std::size_t end = end_of_line(text);
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(behind_end_of_line(text, end));
+  return line;
+}
+
+// The lines of a text that hold more than blanks and a comment, which begins with '#'.
 class Lines
 {
 public:
@@ -110,7 +137,6 @@ public:
 
   explicit Lines(std::string_view text, Backslash backslash = Backslash::IS_NOTHING)
     : m_rest(text)
-    , m_end(text.find('\n') == text.npos ? '\r' : '\n')
     , m_backslash(backslash)
   {
     if (m_rest.substr(0, 3) == "\xEF\xBB\xBF") // some editors put this before a text in UTF-8
@@ -127,13 +153,13 @@ public:
       if (m_rest.empty())
         return false;
       m_number = ++m_passed;
-      std::size_t end = end_of_line(0);
-      for (std::size_t begin = 0; goes_on(begin, end); end = end_of_line(begin)) {
-        begin = end + 1;
+      std::size_t end = end_of_line(m_rest);
+      for (std::size_t begin = 0; goes_on(begin, end); end = end_of_line(m_rest, begin)) {
+        begin = behind_end_of_line(m_rest, end);
         ++m_passed;
       }
       m_line = m_rest.substr(0, end);
-      m_rest.remove_prefix((std::min)(m_line.size() + 1, m_rest.size()));
+      m_rest.remove_prefix(behind_end_of_line(m_rest, end));
       m_line = m_line.substr(0, m_line.find('#'));
       content = m_line;
     } while (next_word(content).empty());
@@ -161,18 +187,12 @@ public:
   std::string place() const { return "line " + std::to_string(m_number) + ": "; }
 
 private:
-  std::size_t end_of_line(std::size_t begin) const
-  {
-    return (std::min)(m_rest.find(m_end, begin), m_rest.size());
-  }
-
   bool goes_on(std::size_t begin, std::size_t end) const
   {
     if (m_backslash != Backslash::CONTINUES || end == m_rest.size())
       return false;
     const std::string_view line = m_rest.substr(begin, end - begin);
-    const std::size_t last = line.find_last_not_of('\r');
-    return last != line.npos && line[last] == '\\' && line.find('#') == line.npos;
+    return !line.empty() && line.back() == '\\' && line.find('#') == line.npos;
   }
 
   // Does the word just read end with a backslash, and a line or the text behind that?
@@ -180,12 +200,10 @@ private:
   {
     if (m_backslash != Backslash::CONTINUES || word.empty() || word.back() != '\\')
       return false;
-    const std::size_t next = m_line.find_first_not_of('\r');
-    return next == m_line.npos || m_line[next] == m_end;
+    return end_of_line(m_line) == 0;
   }
 
   std::string_view m_rest, m_line;
-  char m_end;
   Backslash m_backslash;
   std::size_t m_number = 0, m_passed = 0; // where the line begins, and ends
 };

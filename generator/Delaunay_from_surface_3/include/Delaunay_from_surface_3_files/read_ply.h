@@ -185,6 +185,7 @@ public:
         for (std::size_t i = 0; i < element.count; ++i)
           read_item(element, [](std::size_t, double) {});
     }
+    soup.has_more = !next_word(m_rest).empty();
     return soup;
   }
 
@@ -202,6 +203,26 @@ private:
     if (size != 0 && element.count > (m_rest.size() + 1) / size)
       throw Bad_content("there is no room for " + std::to_string(element.count) + " " +
                         excerpt(element.name) + " in the file");
+  }
+
+  // Numbers that the header does not announce would be taken for those of the next vertices.
+  void check_first_line(const Ply_element& element) const
+  {
+    const auto is_list = [](const Ply_property& p) { return p.is_list; };
+    const auto& properties = element.properties;
+    if (!is_ascii() || element.count == 0 ||
+        std::any_of(properties.begin(), properties.end(), is_list))
+      return;
+    std::string_view rest = m_rest;
+    const std::string_view first = next_word(rest);
+    std::string_view line = rest.substr(0, end_of_line(rest));
+    std::size_t number = first.empty() ? 0 : 1;
+    while (!next_word(line).empty())
+      ++number;
+    if (number > properties.size())
+      throw Bad_content("the first vertex has " + std::to_string(number) +
+                        " numbers in its line, and the header announces " +
+                        std::to_string(properties.size()));
   }
 
   static std::size_t find(const Ply_element& element, const std::string& name, bool is_list)
@@ -227,6 +248,7 @@ private:
                                               find(element, "z", false)};
     if (*std::max_element(place.begin(), place.end()) == element.properties.size())
       throw Bad_content("the vertices do not have the properties x, y and z");
+    check_first_line(element);
     const std::size_t place_of_weight = m_with_weights ? find_weight(element) : no_index;
     const bool is_radius = m_with_weights && element.properties[place_of_weight].name == "radius";
     soup.points.reserve(soup.points.size() + element.count);

@@ -73,7 +73,8 @@ inline std::string content_of(const std::string& file_name)
   if (std::filesystem::is_directory(status))
     throw std::runtime_error(file_name + ": is a directory");
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw std::runtime_error(file_name + ": is not a plain file");
+    throw std::runtime_error(file_name + ": is not a plain file; remedy: delaunay_from_surface - "
+                                         "--from FORMAT < FILE");
   errno = 0;
   std::ifstream file(file_name, std::ios::binary);
   if (!file)

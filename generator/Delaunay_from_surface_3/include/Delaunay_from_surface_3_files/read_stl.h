@@ -96,6 +96,8 @@ private:
         const std::size_t place = binary_head + binary_triangle * t + 12 * k;
         add_corner({float_at(place), float_at(place + 4), float_at(place + 8)});
       }
+    const std::size_t size = binary_head + binary_triangle * number_in_head();
+    m_soup.has_more = m_content.size() - size >= binary_triangle;
   }
 
   // "solid" and any name; facets of a normal, which is not looked at, and a loop; "endsolid" and the

@@ -44,6 +44,7 @@ public:
     soup.faces.reserve(faces);
     for (std::size_t i = 0; i < faces; ++i)
       read_face(soup);
+    soup.has_more = m_lines.next();
     return soup;
   } catch (const Bad_content& error) {
     throw Bad_content(m_first_break.empty()
@@ -177,15 +178,6 @@ inline std::size_t read_numbers(std::string_view line, double* numbers, std::siz
     return 0;
   }
   return k;
-}
-
-// Takes a line off a text.
-inline std::string_view take_line(std::string_view& text)
-{
-  const std::size_t end = text.find('\n');
-  const std::string_view line = text.substr(0, end);
-  text.remove_prefix(end == text.npos ? text.size() : end + 1);
-  return line;
 }
 
 // Returns whether each of so many lines holds the number of an element and three coordinates, not all of

@@ -158,6 +158,16 @@ void check_number_of_points(const Arrays& arrays, std::size_t n)
                               " points, and " + std::to_string(n) + " are given");
 }
 
+// Throws if weights hide a point, and says what needs it.
+template <class Arrays>
+void refuse_hidden_points(const Arrays& arrays, const char* what)
+{
+  for (std::size_t i = 0; i < arrays.number_of_points(); ++i)
+    if (arrays.vertex_of_point(i) == Arrays::none)
+      throw Surface_input_error("vertex " + std::to_string(i) + ": its weight hides it, and a " +
+                                what);
+}
+
 // Maps items to points: to those in the weighted points to which another map leads.
 template <class Weighted_point_map>
 struct Bare_point_map

@@ -343,11 +343,11 @@ Delaunay_3_arrays<Index> arrays_in_space(Built& built, const Executor& executor,
                  [&](std::size_t first, std::size_t last, std::size_t) {
                    rename_vertices(built.cells + first, built.cells + last, names, Index(number));
                  });
-  std::size_t capacity = 0;
-  Compact_cell* const cells = built.take_cells(capacity);
+  auto of_points = vertices_of_points(built, names, executor);
+  const Memory_of_cells memory = built.take_cells();
   return Arrays(3, numbers.finite, number,
-                typename Arrays::Entries(Page_array<Compact_cell>(cells, capacity)),
-                vertices_of_points(built, names, executor));
+                typename Arrays::Entries(Page_array<Compact_cell>(memory.cells, memory.capacity)),
+                std::move(of_points));
 }
 
 // Makes the arrays of the complex that was built, with an apex if the points lie in a plane; empty

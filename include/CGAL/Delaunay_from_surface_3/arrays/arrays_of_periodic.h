@@ -64,8 +64,8 @@ public:
     move_cells();
     std::vector<Id>().swap(m_numbers);
     m_built->release_cells(m_number, m_end);
-    std::size_t capacity = 0;
-    Page_array<Compact_cell> cells(m_built->take_cells(capacity), capacity);
+    const Memory_of_cells memory = m_built->take_cells();
+    Page_array<Compact_cell> cells(memory.cells, memory.capacity);
     m_built.reset(); // with the order
     auto offsets = offsets_of_cells();
     const bool is_simplicial = m_has_short_edges || has_no_double_edges(offsets, points, box);

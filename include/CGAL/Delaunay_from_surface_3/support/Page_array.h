@@ -22,6 +22,7 @@
 
 #if defined(__linux__)
 #include <sys/mman.h>
+#include <unistd.h>
 #endif
 
 namespace CGAL {
@@ -47,32 +48,39 @@ constexpr std::size_t rounded_to_small_pages(std::size_t bytes)
 }
 
 // To be called before the bytes of [begin, end) are written for the first time: takes their small
-// pages from the system at once. A page fault for each costs much more. The system may refuse,
-// which is no error. If the last page is there, the others are taken to be there, too.
+// pages from the system at once. A page fault for each costs much more. The system may refuse, as
+// Linux before 5.14 does, which is no error. If the last page is there, the others are taken to be
+// there, too.
 inline void take_pages([[maybe_unused]] void* begin, [[maybe_unused]] void* end)
 {
-#if defined(__linux__) && defined(MADV_POPULATE_WRITE)
-  constexpr std::uintptr_t page = 4096, least = 8 * page;
+#if defined(__linux__)
+  constexpr int populate_write = 23; // which headers of the system name only since 2022
+  static const std::uintptr_t page = std::uintptr_t(sysconf(_SC_PAGESIZE)), least = 8 * page;
   const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(begin) / page * page;
   const std::uintptr_t last = reinterpret_cast<std::uintptr_t>(end) / page * page;
   unsigned char is_there = 0;
   if (last >= first + least &&
       (mincore(reinterpret_cast<void*>(last - page), page, &is_there) != 0 || is_there == 0))
-    madvise(reinterpret_cast<void*>(first), last - first, MADV_POPULATE_WRITE);
+    madvise(reinterpret_cast<void*>(first), last - first, populate_write);
 #endif
 }
 
-// Takes pages for what others are about to allocate in smaller pieces: gives them to the heap, which
-// keeps them. If glibc maps the first of the two allocations apart, its threshold for that grows when
-// it is given back, untouched, so that the second comes from the heap.
+// Takes pages for what others are about to allocate in smaller pieces: gives them to glibc's heap,
+// which keeps them. If that maps the first of the allocations apart, its threshold for that grows when
+// it is given back, untouched, so that the others come from the heap: twice the same memory. Not so
+// if the user has fixed the threshold; what is mapped apart begins two words behind a page.
 inline void take_pages_for_heap([[maybe_unused]] std::size_t bytes)
 {
 #if defined(__GLIBC__)
   if (bytes < large_page)
     return;
-  ::operator delete(::operator new(bytes, std::nothrow));
-  if (char* const memory = static_cast<char*>(::operator new(bytes, std::nothrow))) {
-    take_pages(memory, memory + bytes);
+  std::uintptr_t last = 0;
+  for (unsigned k = 0; k < 3; ++k) {
+    char* const memory = static_cast<char*>(::operator new(bytes, std::nothrow));
+    const auto address = reinterpret_cast<std::uintptr_t>(memory);
+    if (k == 2 && address != 0 && address == last && address % 4096 != 2 * sizeof(std::size_t))
+      take_pages(memory, memory + bytes);
+    last = address;
     ::operator delete(memory);
   }
 #endif
@@ -254,9 +262,9 @@ public:
     , m_capacity(capacity)
   {
   }
-  T* give_away(std::size_t& capacity)
+  T* give_away()
   {
-    capacity = std::exchange(m_capacity, 0);
+    m_capacity = 0;
     m_pages = Large_pages();
     return std::exchange(m_data, nullptr);
   }
@@ -296,7 +304,7 @@ public:
       larger.touch(i, end);
       std::memcpy(static_cast<void*>(larger.m_data + i), m_data + i, (end - i) * sizeof(T));
       if (begins_at_large_page(n * sizeof(T)))
-        release(i, end);
+        release(i - (std::min)(i, 2 * (end - i)), end); // pieces are not always whole pages
       i = end;
     }
     larger.swap(*this);

@@ -121,6 +121,12 @@ enum class Insertion_outcome {
   TOO_MANY_CELLS // for numbers of 32 bits
 };
 
+struct Memory_of_cells
+{
+  Compact_cell* cells;
+  std::size_t capacity;
+};
+
 // Holds the complex that build() makes, in the core's memory, which the caller can release step by
 // step while it reads the cells once.
 //
@@ -136,8 +142,8 @@ public:
   virtual void give_up_cells() = 0;
   virtual void give_up_vertices() = 0;
 
-  // Gives the memory of the cells, a Page_array's with this capacity, to the caller.
-  virtual Compact_cell* take_cells(std::size_t& capacity) = 0;
+  // Gives the memory of the cells, that of a Page_array, to the caller.
+  virtual Memory_of_cells take_cells() = 0;
 
   // Returns any cell of vertex v.
   virtual Id cell_of(std::size_t v) const = 0;

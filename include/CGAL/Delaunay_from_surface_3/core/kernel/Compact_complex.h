@@ -88,12 +88,14 @@ public:
   {
     if (m_number_of_vertices > max_vertices)
       throw Too_many_cells();
-    m_vertices.allocate(m_number_of_vertices);
+    m_vertices.reserve(m_number_of_vertices, 0);
+    m_vertices.touch(infinite, infinite + 1);
     m_vertices[infinite] = Vertex{{far, 0, 0}, 0, 0};
     if constexpr (Vertex::has_weight)
       m_vertices[infinite].coordinates[3] = n > 0 ? coordinates(0)[3] : 0; // of usual size
     for_each_block(executor, n, number_of_blocks(executor, n, 4096),
                    [&](std::size_t first, std::size_t last, std::size_t) {
+                     m_vertices.touch(vertex_of_point(first), vertex_of_point(last));
                      for (std::size_t i = first; i < last; ++i)
                        m_vertices[vertex_of_point(i)] = vertex_at(coordinates(i));
                    });
@@ -274,7 +276,7 @@ private:
       return {{p[0], p[1], p[2]}, 0, 0};
   }
 
-  // Prepares the cells from m_cells_end up to the next large page.
+  // Prepares the cells from m_cells_end on whose pages are taken together.
   void make_ready()
   {
     if (m_cells_end >= m_most_cells)

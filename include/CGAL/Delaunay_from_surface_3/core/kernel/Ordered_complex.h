@@ -427,9 +427,10 @@ public:
   void give_up_cells() override { complex.memory_of_cells().deallocate(); }
   void give_up_vertices() override { complex.memory_of_vertices().deallocate(); }
   Id cell_of(std::size_t v) const override { return complex.vertex(v).cell; }
-  Compact_cell* take_cells(std::size_t& capacity) override
+  Memory_of_cells take_cells() override
   {
-    return complex.memory_of_cells().give_away(capacity);
+    const std::size_t capacity = complex.memory_of_cells().capacity();
+    return {complex.memory_of_cells().give_away(), capacity};
   }
 
   Compact_complex<Vertex> complex;

@@ -54,11 +54,13 @@ public:
     const Given given = {points, first, n, executor};
     const Box box = box_of(given);
     begin_after(box.low); // starts in a corner
-    m_items.allocate(n);
+    m_items.deallocate();
+    m_items.reserve(n, 0);
     std::ptrdiff_t ends[parts + 1];
     if (n > std::size_t(many) && put_in_parts(given, box, ends)) {
       sort_parts(m_items.data(), ends, nullptr, executor);
     } else {
+      m_items.touch(0, n);
       for (std::size_t i = 0; i < n; ++i)
         m_items[i] = item(points, first[i]);
       sort(m_items.data(), m_items.data() + n, box, nullptr);
@@ -233,6 +235,7 @@ private:
     std::vector<unsigned char> part(given.size);
     std::vector<std::array<std::size_t, parts>> next(given.blocks());
     given.in_blocks([&](std::size_t begin, std::size_t end, std::size_t b) {
+      m_items.touch(begin, end);
       std::array<std::size_t, parts> numbers = {};
       for (std::size_t i = begin; i < end; ++i)
         ++numbers[part[i] = part_of(given.point(i), cuts)];

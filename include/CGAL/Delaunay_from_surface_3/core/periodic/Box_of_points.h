@@ -56,22 +56,27 @@ public:
       if (has_weight)
         m_points.push_back(weights[i]);
     }
-    double diagonal = 0;
+    double diagonal = 0, shortest = std::numeric_limits<double>::infinity();
     for (std::size_t a = 0; a < 3; ++a) {
       if (!(box[a] > 0))
         refuse(a, "is not positive");
       if (!is_finite_number(box[a]))
         continue; // none
       m_periods.lengths[a] = box[a];
+      shortest = (std::min)(shortest, box[a]);
       diagonal = std::hypot(diagonal, box[a]);
     }
     for (std::size_t a = 0; a < 3; ++a)
       if (has_period(a)) {
-        wrap(a);
+        wrap(a, shortest);
         if (!(diagonal / box[a] < 10000))
           refuse(a, "is less than 1/10000 of the diagonal of the box");
         m_reach[a] = int(std::ceil(diagonal / box[a])) + 1;
       }
+    for (std::size_t i = 0; i < m_number_of_points; ++i)
+      for (std::size_t a = 0; a < 3; ++a)
+        if (!has_period(a) && !(std::abs(m_points[size * i + a]) / too_many_periods < shortest))
+          refuse_far(a, i);
     scale(weights, diagonal);
   }
 
@@ -152,17 +157,20 @@ public:
   Copies copies() const { return {m_points.data(), &m_periods, {}}; }
 
 private:
-  [[noreturn]] static void refuse(std::size_t axis, const char* reason)
+  [[noreturn]] static void refuse(std::size_t axis, const std::string& reason)
   {
     throw Surface_input_error(std::string("box: the period along ") + "xyz"[axis] + " " + reason);
   }
 
-  [[noreturn]] static void refuse_small(std::size_t axis, std::size_t i)
+  [[noreturn]] static void refuse_far(std::size_t axis, std::size_t i)
   {
-    refuse(axis, ("is so small that point " + std::to_string(i) + " is 2^29 of them away").c_str());
+    throw Surface_input_error(std::string("box: the ") + "xyz"[axis] + " coordinate of point " +
+                              std::to_string(i) +
+                              ", along an axis without a period, is 2^29 times " +
+                              "the shortest period; remedy: move the points towards 0");
   }
 
-  void wrap(std::size_t axis)
+  void wrap(std::size_t axis, double shortest_period)
   {
     const double period = m_periods.lengths[axis];
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -171,7 +179,7 @@ private:
       high = (std::max)(high, m_points[size * i + axis]);
     }
     const double farthest = (std::max)(std::abs(low), std::abs(high));
-    if (!(high - low >= period) && !(farthest >= 0x1p20 * period))
+    if (!(high - low >= period) && !(farthest >= 0x1p20 * shortest_period))
       return;
     m_wraps.resize(m_number_of_points);
     m_is_moved.resize(m_number_of_points);
@@ -179,7 +187,7 @@ private:
       double& x = m_points[size * i + axis];
       const double by = core::wrap(x, period);
       if (!(std::abs(by) < too_many_periods))
-        refuse_small(axis, i);
+        refuse(axis, "is so small that point " + std::to_string(i) + " is 2^29 of them away");
       m_wraps[i][axis] = std::int32_t(by);
       m_is_moved[i] = std::uint8_t(m_is_moved[i] | unsigned(x < 0) << axis);
     }
@@ -200,9 +208,6 @@ private:
         const double x = std::abs(m_points[size * i + a]);
         farthest = (std::max)(farthest, x);
         look_at(x);
-        for (std::size_t b = 0; b < 3; ++b)
-          if (has_period(b) && !(x < too_many_periods * m_periods.lengths[b]))
-            refuse_small(b, i);
       }
     const double largest = farthest + diagonal + 4 * longest;
     if (!is_finite_number(largest))

@@ -182,7 +182,10 @@ public:
     const std::size_t last = (std::min)(first + block, m_complex.capacity());
     if (first >= last)
       return false;
-    m_complex.touch_cells(first, last);
+    constexpr std::size_t piece = small_pages / sizeof(Compact_cell);
+    const std::size_t begin = (last - 1) / piece * piece; // of the piece of the last cell
+    if (begin >= first)
+      m_complex.touch_cells(begin, (std::min)(begin + piece, m_complex.capacity()));
     m_marks.clear(first, last);
     for (std::size_t c = last; c-- > first;) {
       for (unsigned k = 0; k < 4; ++k) {

@@ -262,11 +262,11 @@ private:
   }
 
   // The first worker is the caller's thread. It tells how far it has come, and never less than
-  // before, although the batches that it takes from others may lie before its own.
+  // before, although the batches that it takes from others may lie before its own. A no is final.
   template <class Chunk>
   bool may_go_further(Chunk& chunk, std::size_t t, std::size_t i)
   {
-    if (t == 0) {
+    if (t == 0 && !chunk.is_stopped) {
       chunk.farthest = (std::max)(chunk.farthest, i);
       if (!chunk.go_further(chunk.farthest))
         chunk.is_stopped = true;
