@@ -344,6 +344,8 @@ async function startWorker() {
   const worker = new NodeWorker(new URL("./worker.mjs", import.meta.url));
   worker.on("message", (data) => worker.onmessage({data}));
   worker.on("error", (error) => worker.onerror(error));
+  worker.on("messageerror", (error) => worker.onmessageerror(error));
+  worker.on("exit", (code) => worker.onerror({message: `with the code ${code}`}));
   return worker;
 }
 
@@ -370,6 +372,7 @@ class Thread {
         reject(new Delaunay3Error(error.status ?? "FAILED", error.message, error.where));
     };
     worker.onerror = (event) => this.close(new Delaunay3Error("FAILED", `the worker has ended: ${event.message ?? "its script was not found"}`));
+    worker.onmessageerror = () => this.close(new Delaunay3Error("FAILED", "what the worker sends cannot be read; there may be too little memory"));
   }
 
   #tell(onProgress, share) {

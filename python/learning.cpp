@@ -278,14 +278,16 @@ void add_edges(const Simplices& tetrahedra, const std::uint32_t* corner, const s
                std::vector<Edge_in_box>& edges)
 {
   const auto old = std::ptrdiff_t(edges.size());
-  for (; corner != end; ++corner)
-    for (std::size_t k = *corner - *corner % 4, last = k + 4; k < last; ++k) {
-      Edge_in_box edge{tetrahedra.points[*corner], tetrahedra.points[k], 0, 0, 0};
+  for (; corner != end; ++corner) {
+    const std::size_t from = *corner, first = from - from % 4;
+    for (std::size_t k = first; k < first + 4; ++k) {
+      Edge_in_box edge{tetrahedra.points[from], tetrahedra.points[k], 0, 0, 0};
       for (std::size_t a = 0; a < 3; ++a)
-        edge[2 + a] = tetrahedra.offsets[3 * k + a] - tetrahedra.offsets[3 * *corner + a];
+        edge[2 + a] = tetrahedra.offsets[3 * k + a] - tetrahedra.offsets[3 * from + a];
       if (edge > Edge_in_box{edge[0], edge[0], 0, 0, 0})
         edges.push_back(edge);
     }
+  }
   std::sort(edges.begin() + old, edges.end());
   edges.erase(std::unique(edges.begin() + old, edges.end()), edges.end());
 }

@@ -161,9 +161,9 @@ auto made(std::size_t n, const py::object& progress, std::size_t threads, const 
     PyErr_SetString(PyExc_OverflowError, error.what());
     throw py::error_already_set();
   }
+  observer.finish();
   if (observer.is_stopped())
     throw Stopped("progress returned False");
-  observer.finish();
   return arrays;
 }
 

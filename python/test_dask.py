@@ -4,6 +4,7 @@
 
 """Tiles by a Dask cluster of processes on this machine: the same as in memory, also when workers are killed."""
 
+import contextlib
 import os
 import shutil
 import signal
@@ -71,6 +72,13 @@ class ByDask(unittest.TestCase):
                        self.points.astype(np.float32).astype(float))
         with self.assertRaisesRegex(OSError, "is of another array"):
             dfs.delaunay3_dask(array + 1, self.client, self.folder / "of array", tiles=5)
+        for k in range(2):  # the name does not tell these apart
+            other = dask.array.from_array(self.points + k, chunks=(1000, 3), name="mine")
+            with self.assertRaisesRegex(OSError, "is of another array of this name") if k else contextlib.nullcontext():
+                named = dfs.delaunay3_dask(other, self.client, self.folder / "named", tiles=5)
+        keys = {named[0].key}  # tile 0 of more tiles is another
+        named.numbers_of_cells.append(1)
+        self.assertNotIn(named[0].key, keys)
 
     def test_killed_workers(self):
         """One after the first round, as soon as it has a task; and then whichever, again and again."""

@@ -505,6 +505,8 @@ class AsScipy(unittest.TestCase):
         self.assertTrue(np.isnan(far.barycentric([[np.nan, 0, 0], [0, 0, np.inf]], [0, 0])).all())
         with self.assertRaisesRegex(IndexError, f"barycentric: {far.nsimplex} is not one of the {far.nsimplex} simplices"):
             far.barycentric([[0, 0, 0]], [far.nsimplex])
+        with self.assertRaises(IndexError):  # it does not become -1, which is outside
+            far.barycentric([[0, 0, 0]], np.array([2**64 - 1], dtype=np.uint64))
         with self.assertRaisesRegex(TypeError, "barycentric: simplex: expected integers, got entries of type float64"):
             far.barycentric([[0, 0, 0]], [0.])
 
@@ -1103,6 +1105,8 @@ class Periodic(unittest.TestCase):
             ours.barycentric([[.5, .5, .5]], [0], [[0., 0, 0]])
         with self.assertRaisesRegex(IndexError, "barycentric: 9999 is not one of"):
             ours.barycentric([[.5, .5, .5]], [9999], [[0, 0, 0]])
+        with self.assertRaises(IndexError):
+            ours.barycentric([[.5, .5, .5]], np.array([2**64 - 1], dtype=np.uint64), [[0, 0, 0]])
 
     @staticmethod
     def exact_corners(ours, simplex, offset):
@@ -1745,6 +1749,8 @@ class Control(unittest.TestCase):
             dfs.delaunay3(random_points(20000), progress=fail)
         with self.assertRaises(TypeError):
             dfs.delaunay3(random_points(20000), progress=7)
+        with self.assertRaises(dfs.Stopped):  # the last answer counts like the others
+            dfs.delaunay3(random_points(300), progress=lambda share: share < 1)
         with self.assertRaises(dfs.Stopped):  # NumPy's False, too, as comparisons make it
             dfs.delaunay3(random_points(20000), progress=lambda share: np.float64(share) < 0)
         for nothing in (None, 0, ""):

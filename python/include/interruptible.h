@@ -86,11 +86,11 @@ public:
   // Returns whether the user's function has stopped the work.
   bool is_stopped() const { return m_is_stopped; }
 
-  // To be called with the lock, when all is done.
+  // To be called with the lock, when all is done; this may be refused, too.
   void finish()
   {
-    if (!m_progress.is_none())
-      called(m_progress, py::make_tuple(1.));
+    if (!m_progress.is_none() && !m_is_stopped)
+      m_is_stopped = says_no(called(m_progress, py::make_tuple(1.)));
   }
 
 private:

@@ -555,11 +555,12 @@ private:
   {
     const std::filesystem::path piece = m_engine.folder().file("piece", t);
     if (!is_written(t)) {
-      if (!std::filesystem::exists(piece))
+      if (std::filesystem::exists(piece))
+        write_tile(m_folder, m_engine.folder().read_piece(t), m_with_vtu);
+      else if (!is_written(t)) // another process may have written it, and removed the piece
         throw Tile_files_error(m_folder.string() +
                                ": a tile has been removed, or tiles are written "
                                "without .vtu: remove it, or name another folder");
-      write_tile(m_folder, m_engine.folder().read_piece(t), m_with_vtu);
     }
     std::error_code ignored; // it will not be asked for again
     std::filesystem::remove(piece, ignored);

@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <random>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -561,4 +562,13 @@ BOOST_AUTO_TEST_CASE(progress_in_memory)
   options.progress = [](const char*, std::size_t, std::size_t) { return false; };
   BOOST_CHECK_THROW(CGAL::delaunay_3_tiles(engine, source_of(points), ignore, options),
                     CGAL::Tiles_stopped);
+  std::size_t asked = 0; // not again after it has thrown, nor by another thread
+  options.progress = [&](const char*, std::size_t, std::size_t) -> bool {
+    if (++asked == 3)
+      throw std::domain_error("the caller's");
+    return true;
+  };
+  BOOST_CHECK_THROW(CGAL::delaunay_3_tiles(engine, source_of(points), ignore, options),
+                    std::domain_error);
+  BOOST_TEST(asked == 3u);
 }

@@ -67,7 +67,7 @@ def delaunay3_batch(points: Iterable[Points], weights: Optional[Iterable[Optiona
             thread.join()
     except BaseException:  # such as KeyboardInterrupt, which is raised in this thread
         batch.is_stopped = True
-        for thread in started:
+        for thread in filter(threading.Thread.is_alive, started):
             thread.join()
         raise
     return batch.results()

@@ -39,18 +39,23 @@ class DaskTiles:
     def __len__(self) -> int:
         return len(self.numbers_of_cells)
 
+    @property
+    def _key(self) -> str:
+        """A part of the names of tasks: those of another run in this folder are not the same."""
+        return f"{self.report['hash']}-{self.numbers_of_cells}"
+
     def __getitem__(self, k: int) -> Any:
         """Tile k: a `dask.delayed` of a `Tile`."""
         from dask import delayed
         if not 0 <= k < len(self):
             raise IndexError(f"there are tiles 0 to {len(self) - 1}")
-        return delayed(_read_tile, pure=True)(self.folder, k, self.report["hash"])
+        return delayed(_read_tile, pure=True)(self.folder, k, self._key)
 
     def cells(self) -> Any:
         """The finite cells of all tiles: a `dask.array` of shape (m, 4) with places in the input, a chunk for each tile."""
         from dask import array, delayed
         read = delayed(_read_cells, pure=True)
-        return array.concatenate([array.from_delayed(read(self.folder, k, self.report["hash"]), (n, 4), np.int64)
+        return array.concatenate([array.from_delayed(read(self.folder, k, self._key), (n, 4), np.int64)
                                   for k, n in enumerate(self.numbers_of_cells)])
 
 
@@ -114,6 +119,7 @@ def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int
     how = bytes_of(memory), vtu
     folder = os.fsdecode(name_of("output", output))
     files = _files_of(points, client, folder)
+    names_of(files)  # what is refused here has no state in the folder
     run = _Run(client, (files, folder), how, files if hasattr(points, "to_delayed") else [])
     run.to_the_end(number)
     report, numbers = run.call("report", _report, folder)
@@ -236,14 +242,18 @@ def _claim(folder: str, name: str) -> None:
 
 
 def _write_chunk(chunk: Any, file: str) -> None:
-    """Written aside and renamed; not again if it is there. What an array of points may not be is refused."""
+    """Written aside and renamed; not again if it is there. What an array of points may not be is refused, and so is another
+    array of the same name."""
     place = Path(file)
+    points = np.ascontiguousarray(_core.array_of_points(chunk, "points"), dtype=np.float64)
     if place.exists():
+        if not np.array_equal(np.load(place, mmap_mode="r" if points.size else None), points):
+            raise OSError(f"{place}: is of another array of this name: remove the folder, or name another one")
         return
     aside = place.with_name(f"{place.name}-{_unique()}.unfinished")
     try:
         with open(aside, "wb") as stream:
-            np.save(stream, np.ascontiguousarray(_core.array_of_points(chunk, "points"), dtype=np.float64))
+            np.save(stream, points)
             stream.flush()
             os.fsync(stream.fileno())  # before the name that says that it is whole
         if not place.exists():  # else another worker was asked, too
@@ -258,10 +268,9 @@ def _report(folder: str) -> Tuple[Dict[str, Any], List[int]]:
     return tiles.report, numbers
 
 
-# The hash of the triangulation is a part of their names: those of another run in this folder are not the same.
-def _read_tile(folder: str, k: int, _hash: Any) -> Tile:
+def _read_tile(folder: str, k: int, _key: Any) -> Tile:
     return Tiles(folder)[k]
 
 
-def _read_cells(folder: str, k: int, _hash: Any) -> Places:
+def _read_cells(folder: str, k: int, _key: Any) -> Places:
     return np.asarray(np.load(Tiles(folder).file("cells", k)))

@@ -274,6 +274,8 @@ class Delaunay3(Cells):
         numbers_of = np.asarray(given).reshape(-1)
         if numbers_of.dtype.kind not in "iu":
             raise TypeError(f"barycentric: simplex: expected integers, got entries of type {numbers_of.dtype}")
+        if numbers_of.dtype.kind == "u":  # none must become -1
+            numbers_of = np.minimum(numbers_of.astype(np.uint64), 2 ** 63 - 1)
         queries, shape = self._rows_of(xi)
         if len(numbers_of) != len(queries):
             raise ValueError(f"barycentric: {len(numbers_of)} simplices for {len(queries)} points")

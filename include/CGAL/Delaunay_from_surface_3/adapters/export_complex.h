@@ -122,7 +122,7 @@ std::size_t blocks_of_export(const Executor& executor, std::size_t n)
 template <class Range, class Body>
 void for_each_portion(const Range& range, std::size_t first, std::size_t last, const Body& body)
 {
-  constexpr std::size_t portion = 2 * large_page / sizeof(typename Range::value_type);
+  constexpr std::size_t portion = large_page / sizeof(Compact_cell); // which is released as a whole
   for (std::size_t begin = first, end; begin < last; begin = end) {
     end = (std::min)(last, begin / portion * portion + portion);
     const std::size_t block = std::size_t(6 * std::sqrt(double(range.capacity())));

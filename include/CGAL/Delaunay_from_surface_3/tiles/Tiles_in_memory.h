@@ -166,7 +166,8 @@ Tiles_report run_until_certified(Engine& engine, const Tile_source_3& source, Ti
 }
 
 // Tells Tiles_options::progress how much of a stage is done, by one thread at a time; throws
-// Tiles_stopped if progress returns false. Keeps a reference.
+// Tiles_stopped if progress returns false, which is not asked again, nor after it has thrown. Keeps a
+// reference.
 class Stage_progress
 {
 public:
@@ -190,14 +191,18 @@ public:
 private:
   void tell() const
   {
-    if (m_progress && !m_progress(m_what.c_str(), m_done, m_all))
+    if (!m_progress || std::exchange(m_is_over, true))
+      return;
+    if (!m_progress(m_what.c_str(), m_done, m_all))
       throw Tiles_stopped();
+    m_is_over = false;
   }
 
   const Function& m_progress;
   const std::string m_what;
   const std::size_t m_all;
   mutable std::size_t m_done = 0;
+  mutable bool m_is_over = false;
   mutable std::mutex m_mutex;
 };
 
