@@ -436,7 +436,8 @@ class Output(ProgramCase):
                            (sides[2:3], f"open edges: 3{edge}")):
             self.write("a.off", "OFF", f"7 {len(faces)} 0", *corners, *faces)
             self.refuses(rf"a.off: the surface has no inside: by its winding numbers too much is in doubt, "
-                         rf"and its openings have \d+ % of its area, the largest \d+ %; {why}$",
+                         rf"and its openings have \d+ % of its area, the largest \d+ %; "
+                         rf"remedy: close them, and leave out walls inside the solid; {why}$",
                          "a.off", "--inside", "-o", "a.vtu")
             self.assertNotIn("a.vtu", self.files())
         for faces, why in ((sides[1:], f"open edges: 3{edge}"),

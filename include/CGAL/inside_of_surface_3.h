@@ -37,6 +37,8 @@ in orientation, those with the smaller total area are reversed; if both have the
 oriented so that the volume is positive. Faces that agree stay as they are: if they look inwards, they
 are the wall of a cavity.
 
+Edges with one face are open, and so are those with more than two: leave out walls inside a solid.
+
 Where a face is not a facet of the triangulation, tetrahedra cross the surface: `Inside_3` says how much
 volume may be wrong in these.
 

@@ -425,6 +425,74 @@ struct Nothing_replaced : Kernel
 {
 };
 
+// A point that belongs to no kernel, and what a triangulation needs to know of it.
+struct Own_point
+{
+  Own_point(double a = 0, double b = 0, double c = 0)
+    : coordinates{a, b, c}
+  {
+  }
+  explicit Own_point(CGAL::Origin) {}
+  double x() const { return coordinates[0]; }
+  double y() const { return coordinates[1]; }
+  double z() const { return coordinates[2]; }
+  operator Point() const { return Point(x(), y(), z()); }
+  friend bool operator==(const Own_point& p, const Own_point& q)
+  {
+    return p.coordinates == q.coordinates;
+  }
+  friend bool operator!=(const Own_point& p, const Own_point& q) { return !(p == q); }
+
+  std::array<double, 3> coordinates = {};
+};
+
+template <class Functor>
+struct Of_own_points
+{
+  using result_type = typename Functor::result_type;
+  template <class... P>
+  result_type operator()(const P&... p) const
+  {
+    return Functor()(Point(p)...);
+  }
+};
+
+struct Traits_of_own_points : Kernel
+{
+  using Point_3 = Own_point;
+  using Point = Own_point;
+  template <class Functor>
+  using Of = Of_own_points<Functor>;
+  using Orientation_3 = Of<Kernel::Orientation_3>;
+  using Compare_xyz_3 = Of<Kernel::Compare_xyz_3>;
+  using Compute_x_3 = Of<Kernel::Compute_x_3>;
+  using Compute_y_3 = Of<Kernel::Compute_y_3>;
+  using Compute_z_3 = Of<Kernel::Compute_z_3>;
+  using Less_x_3 = Of<Kernel::Less_x_3>;
+  using Less_y_3 = Of<Kernel::Less_y_3>;
+  using Less_z_3 = Of<Kernel::Less_z_3>;
+  Orientation_3 orientation_3_object() const { return {}; }
+  Compare_xyz_3 compare_xyz_3_object() const { return {}; }
+  Compute_x_3 compute_x_3_object() const { return {}; }
+  Compute_y_3 compute_y_3_object() const { return {}; }
+  Compute_z_3 compute_z_3_object() const { return {}; }
+  Less_x_3 less_x_3_object() const { return {}; }
+  Less_y_3 less_y_3_object() const { return {}; }
+  Less_z_3 less_z_3_object() const { return {}; }
+  Of<Kernel::Side_of_oriented_sphere_3> side_of_oriented_sphere_3_object() const { return {}; }
+  Of<Kernel::Coplanar_side_of_bounded_circle_3> coplanar_side_of_bounded_circle_3_object() const
+  {
+    return {};
+  }
+  Of<Kernel::Coplanar_orientation_3> coplanar_orientation_3_object() const { return {}; }
+  Of<Kernel::Compare_distance_3> compare_distance_3_object() const { return {}; }
+  struct Construct_point_3
+  {
+    const Own_point& operator()(const Own_point& p) const { return p; }
+  };
+  Construct_point_3 construct_point_3_object() const { return {}; }
+};
+
 template <class Gt>
 constexpr bool is_served = DFS::internal::serves_geom_traits<CGAL::Delaunay_triangulation_3<Gt>>();
 
@@ -455,4 +523,12 @@ BOOST_AUTO_TEST_CASE(falls_back_and_says_so)
   CGAL::Delaunay_triangulation_3<CGAL::Simple_cartesian<double>> unfiltered;
   BOOST_TEST(reason_for_fallback(unfiltered, points) ==
              "the predicates of the geometric traits are not the exact ones of a kernel");
+
+  std::vector<Own_point> own;
+  for (const Point& p : points)
+    own.emplace_back(p.x(), p.y(), p.z());
+  CGAL::Delaunay_triangulation_3<Traits_of_own_points> of_own;
+  CGAL::insert_points_3(of_own, own);
+  BOOST_TEST(of_own.number_of_cells() ==
+             Triangulation(points.begin(), points.end()).number_of_cells());
 }

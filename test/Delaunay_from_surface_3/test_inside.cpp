@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -286,6 +287,60 @@ BOOST_AUTO_TEST_CASE(test_kinds_of_input)
                     CGAL::Surface_input_error);
   BOOST_CHECK_THROW(CGAL::Winding_number_3(std::vector<Coordinates>{{0, 0, NAN}}, sides),
                     CGAL::Surface_input_error);
+}
+
+// Triangles of a polygon have its sides as their only open edges, and none is at many others.
+BOOST_AUTO_TEST_CASE(test_polygons)
+{
+  for (std::size_t n = 0; n < 70; ++n) {
+    std::vector<std::vector<std::size_t>> face(1);
+    for (std::size_t i = 0; i < n; ++i)
+      face[0].push_back(i);
+    std::multiset<std::array<std::size_t, 2>> sides;
+    std::vector<std::size_t> triangles_at(n, 0);
+    const auto add = [&](std::size_t i, std::size_t j) {
+      const auto other = sides.find({j, i});
+      if (other == sides.end())
+        sides.insert({i, j});
+      else
+        sides.erase(other);
+    };
+    std::size_t number = 0;
+    internal::for_each_triangle(face, n,
+                                [&](std::size_t i, std::size_t j, std::size_t k, std::size_t) {
+                                  ++number;
+                                  add(i, j), add(j, k), add(k, i);
+                                  ++triangles_at[i], ++triangles_at[j], ++triangles_at[k];
+                                });
+    BOOST_TEST(number == (n < 3 ? 0 : n - 2));
+    BOOST_TEST(sides.size() == (n < 3 ? 0 : n));
+    for (std::size_t i = 0; i < n; ++i) {
+      BOOST_TEST((n < 3 || sides.count({i, (i + 1) % n}) == 1));
+      BOOST_TEST(triangles_at[i] < 13u);
+    }
+  }
+  // A prism with 3000 sides.
+  std::vector<Coordinates> points;
+  std::vector<std::vector<std::size_t>> faces(2);
+  const std::size_t n = 3000;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double t = 2 * pi * double(i) / double(n);
+    points.insert(points.end(), {{std::cos(t), std::sin(t), 0}, {std::cos(t), std::sin(t), 1}});
+    const std::size_t a = 2 * i, b = 2 * ((i + 1) % n);
+    faces.push_back({a, b, b + 1, a + 1});
+    faces[0].push_back(2 * (n - 1 - i));
+    faces[1].push_back(a + 1);
+  }
+  const auto arrays = CGAL::delaunay_3_arrays(points);
+  const CGAL::Inside_3 inside = CGAL::inside_of_surface_3(points, faces, arrays);
+  double volume = 0;
+  for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c) {
+    const auto v = arrays.vertices(c);
+    const auto at = [&](std::size_t k) { return points[std::size_t(v[k])]; };
+    volume += inside[c] ? volume_of({at(0), at(1), at(2), at(3)}) : 0;
+  }
+  BOOST_CHECK_CLOSE(volume, .5 * double(n) * std::sin(2 * pi / double(n)), 1e-6);
+  BOOST_CHECK_EQUAL(inside.share_of_openings, 0);
 }
 
 BOOST_AUTO_TEST_CASE(test_volumes)

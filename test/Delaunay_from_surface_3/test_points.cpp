@@ -371,6 +371,15 @@ BOOST_AUTO_TEST_CASE(order_of_the_input_that_cannot_be_had)
   });
 }
 
+BOOST_AUTO_TEST_CASE(order_of_less_than_two_points)
+{
+  for (const std::size_t n : {0, 1}) {
+    Triangulation tr;
+    CGAL::insert_points_3(tr, std::vector<Point>(n), parameters::preserve_order(true));
+    BOOST_TEST(tr.number_of_vertices() == n);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(coordinates_without_a_point)
 {
   const std::vector<Point>& points = torus().points;

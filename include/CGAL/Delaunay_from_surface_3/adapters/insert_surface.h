@@ -198,13 +198,18 @@ constexpr bool has_exact_predicates()
 
 // Returns true if the core knows the numbers and predicates of the triangulation. Traits that bring
 // predicates of their own are not served: its filters would go past them.
+template <class Kernel>
+using Orientation_of_kernel = decltype(std::declval<const Kernel&>().orientation_3_object());
+
 template <class Triangulation>
 constexpr bool serves_geom_traits()
 {
   using Geom_traits = typename Triangulation::Geom_traits;
   using Point = typename Triangulation::Point;
   using Kernel = typename Kernel_traits<Point>::Kernel;
-  if constexpr (has_weight<Point>)
+  if constexpr (!is_detected<Orientation_of_kernel, Kernel>) // a point of the user's own
+    return false;
+  else if constexpr (has_weight<Point>)
     return std::is_same<typename Geom_traits::Weighted_point_3, Point>::value &&
            has_power_predicates_of_kernel<Geom_traits, Kernel>() &&
            has_exact_predicates<Geom_traits>();
@@ -484,7 +489,8 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
   check_named_parameters<Known..., visitor_t, random_seed_t, preserve_order_t,
                          vertex_to_vertex_output_iterator_t, Vertex_info_map_tag,
                          Vertex_info_range_tag>(np);
-  const Order_options options = order_options(np);
+  Order_options options = order_options(np);
+  options.creates_in_input_order &= input.points.size() > 1; // else every order is that
   const auto infos = infos_of_caller(np, input.name_of, input.infos, input.points.size());
   auto out = choose_parameter(get_parameter(np, internal_np::vertex_to_vertex_output_iterator),
                               Emptyset_iterator());

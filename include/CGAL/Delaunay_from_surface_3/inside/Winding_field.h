@@ -444,23 +444,25 @@ struct Winding_field
   Winding_tree tree;
 };
 
-// Calls visit(i, j, k, f) with the points of the triangles of face f = 0, 1, …; a polygon is a fan
-// of triangles at its first point. Throws Surface_input_error if an index is not one of 0, …, n-1.
+// Calls visit(i, j, k, f) with the points of the triangles of face f = 0, 1, …, which cut every other
+// corner off a polygon until none is left: in a fan of many triangles the boxes of all would meet.
+// Throws Surface_input_error if an index is not one of 0, …, n-1.
 template <class FaceRange, class Visit>
 void for_each_triangle(const FaceRange& faces, std::size_t n, const Visit& visit)
 {
   std::size_t f = 0;
+  std::vector<std::size_t> corners;
   for (const auto& face : faces) {
     check_face(face, f, n);
-    std::array<std::size_t, 3> triangle = {0, 0, 0};
-    std::size_t k = 0;
-    for (const auto& index : face) {
-      triangle[k < 2 ? k : 2] = std::size_t(index);
-      if (++k > 2) {
-        visit(triangle[0], triangle[1], triangle[2], f);
-        triangle[1] = triangle[2];
-      }
-    }
+    corners.clear();
+    for (const auto& index : face)
+      corners.push_back(std::size_t(index));
+    for (std::size_t step = 1; step < corners.size(); step *= 2)
+      for (std::size_t i = 0; i + step < corners.size(); i += 2 * step)
+        if (i + 2 * step < corners.size())
+          visit(corners[i], corners[i + step], corners[i + 2 * step], f);
+        else if (i > 0)
+          visit(corners[0], corners[i], corners[i + step], f);
     ++f;
   }
 }

@@ -304,7 +304,8 @@ public:
       throw Surface_input_error("the surface has no inside: by its winding numbers too much is in "
                                 "doubt, and its openings have " +
                                 percent(inside.share_of_openings) + " of its area, the largest " +
-                                percent(share_of_largest));
+                                percent(share_of_largest) +
+                                "; remedy: close them, and leave out walls inside the solid");
   }
 
 private:

@@ -124,7 +124,8 @@ void refuse_bad_indices(const VertexRange& range, VertexIndexMap index, std::siz
     const std::size_t i = static_cast<std::size_t>(get(index, *v));
     if (i >= n || is_taken[i])
       refuse("the vertex index map is no bijection onto 0 .. n-1: n is " + std::to_string(n) +
-             " and index " + std::to_string(i) + (i < n ? " is there twice" : " is too large"));
+             " and index " + std::to_string(i) +
+             (i < n ? " is there twice" : " is too large; remedy: collect_garbage() of the mesh"));
     is_taken[i] = true;
   }
 }
