@@ -43,7 +43,7 @@
 
 namespace {
 
-std::size_t bytes_taken_at_once = 0;
+std::size_t bytes_taken_at_once = 0, bytes_given_back = 0;
 
 } // namespace
 
@@ -55,6 +55,8 @@ extern "C" int madvise(void* begin, std::size_t bytes, int advice) noexcept
   if (advice == MADV_POPULATE_WRITE)
     bytes_taken_at_once += bytes;
 #endif
+  if (advice == MADV_DONTNEED)
+    bytes_given_back += bytes;
   return int(syscall(SYS_madvise, begin, bytes, advice));
 }
 #endif
@@ -204,20 +206,23 @@ BOOST_AUTO_TEST_CASE(the_heap_keeps_pages_taken_for_it)
   BOOST_TEST(share_there(6, 1000000) > 0.8);
 }
 
-// By plain CGAL none; by the export those of all of CGAL's cells.
+// By plain CGAL none; by the export those of all of CGAL's cells, while the core's are given back.
 BOOST_AUTO_TEST_CASE(pages_of_cgal_are_taken_at_once)
 {
   if (!takes_pages_at_once())
     return;
-  const auto surface = surfaces::genus_surface(1, 150000, 0.05);
+  const auto surface = surfaces::genus_surface(1, 200000, 0.05);
   bytes_taken_at_once = 0;
   const Triangulation plain(surface.points.begin(), surface.points.end());
   BOOST_TEST(bytes_taken_at_once == 0u);
   Triangulation tr;
   Visitor_at_export visitor;
   malloc_trim(0);
+  bytes_given_back = 0;
   CGAL::insert_points_3(tr, surface.points, surface.faces,
                         CGAL::parameters::visitor(std::ref(visitor)));
+  const double given_back = double(bytes_given_back) / double(tr.tds().number_of_cells());
+  BOOST_TEST(given_back > 0.7 * sizeof(CGAL::Delaunay_from_surface_3::core::Compact_cell));
   const double taken = double(bytes_taken_at_once - visitor.taken_before);
   const double needed = double(tr.tds().number_of_cells()) * sizeof(*tr.infinite_cell());
   BOOST_TEST_MESSAGE("taken at once " << taken / needed << " of the bytes of cells");
