@@ -609,7 +609,7 @@ class Output(ProgramCase):
         self.write("older.vtu", "an older result")
         self.write("large.xyz", *(f"{i * 7919 % 10007} {i * 104729 % 10009} {i * 1299709 % 10037}" for i in range(200000)))
         before = self.files()
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             process = subprocess.Popen([os.path.abspath(self.program), "large.xyz", "-o", "older.vtu"], cwd=self.folder,
                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             while len(self.files()) == len(before) and process.poll() is None:

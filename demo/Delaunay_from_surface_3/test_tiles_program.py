@@ -158,7 +158,7 @@ class Tiles(ProgramCase):
         write_points(points, 20000)
         self.fails(points, "--output", self.folder / "given", "--tiles", 2, "--memory", "2M",
                    says="tile [01] of .* keeps more than .* that it may; point .* tiles would do")
-        report = json.loads(self.works(points, "--output", self.folder / "chosen", "--memory", "2M", "--json"))
+        report = json.loads(self.works(points, "--output", self.folder / "chosen", "--memory", "2MB", "--json"))
         self.assertGreater(report["tiles"], 4)
 
     def test_in_a_folder_that_is_used(self):

@@ -43,8 +43,7 @@ public:
 
   \param points the points
   \param faces for each face the indices of its points, in order, counterclockwise as seen from
-  outside. A polygon that is not flat counts as triangles that cut every other corner off, beginning with
-  the second one, until none is left.
+  outside. Every other corner of a polygon, from the second one on, is cut off until three are left.
 
   \throws Surface_input_error if a coordinate is not a finite number, or an index is out of range
   */

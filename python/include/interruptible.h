@@ -86,7 +86,7 @@ public:
   // Returns whether the user's function has stopped the work.
   bool is_stopped() const { return m_is_stopped; }
 
-  // To be called with the lock, when all is done; this may be refused, too.
+  // To be called with the lock, when all is done. This answer counts, too.
   void finish()
   {
     if (!m_progress.is_none() && !m_is_stopped)

@@ -125,7 +125,7 @@ struct Visitor_at_export : CGAL::Default_surface_insertion_visitor_3
   void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t)
   {
     if (phase == CGAL::Surface_insertion_phase::FINISH)
-      advised = in_large_pages().size(), taken_before = bytes_taken_at_once;
+      advised = in_large_pages().size(), taken_before = bytes_taken_at_once, bytes_given_back = 0;
   }
 };
 
@@ -218,7 +218,6 @@ BOOST_AUTO_TEST_CASE(pages_of_cgal_are_taken_at_once)
   Triangulation tr;
   Visitor_at_export visitor;
   malloc_trim(0);
-  bytes_given_back = 0;
   CGAL::insert_points_3(tr, surface.points, surface.faces,
                         CGAL::parameters::visitor(std::ref(visitor)));
   const double given_back = double(bytes_given_back) / double(tr.tds().number_of_cells());

@@ -320,8 +320,6 @@ BOOST_AUTO_TEST_CASE(trees_of_arrays_with_equal_points)
                     CGAL::Surface_input_error);
 }
 
-// Where all lengths differ there is one tree, and a graph contains it if and only if it has all its
-// edges.
 // The edges of the others need not have a tree.
 BOOST_AUTO_TEST_CASE(trees_of_arrays_with_hidden_points)
 {
@@ -339,6 +337,8 @@ BOOST_AUTO_TEST_CASE(trees_of_arrays_with_hidden_points)
       CGAL::Surface_input_error, refused);
 }
 
+// Where all lengths differ there is one tree, and a graph contains it if and only if it has all its
+// edges.
 BOOST_AUTO_TEST_CASE(a_graph_contains_the_tree_if_it_has_its_edges)
 {
   const std::vector<Point> points = distinct(random_points(60, 1 << 20, 3));

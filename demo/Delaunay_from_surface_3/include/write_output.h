@@ -230,10 +230,11 @@ inline bool is_in_one_piece(const Surface& surface)
 inline double volume_enclosed(const Surface& surface)
 {
   double volume = 0;
-  for (const std::vector<std::size_t>& face : surface.faces)
-    for (std::size_t k = 2; k < face.size(); ++k)
-      volume += CGAL::volume(surface.points.front(), surface.points[face[0]],
-                             surface.points[face[k - 1]], surface.points[face[k]]);
+  const auto& p = surface.points;
+  DFS::internal::for_each_triangle(surface.faces, p.size(),
+                                   [&](std::size_t i, std::size_t j, std::size_t k, std::size_t) {
+                                     volume += CGAL::volume(p.front(), p[i], p[j], p[k]);
+                                   });
   return std::abs(volume);
 }
 

@@ -106,13 +106,14 @@ inline std::vector<std::size_t> subgraph_of(const Surface& surface)
   return ends;
 }
 
-// Returns the corners of triangles; polygons become fans.
+// Returns the corners of triangles, into which polygons are cut as for those inside.
 inline std::vector<std::size_t> triangles_of(const Surface& surface)
 {
   std::vector<std::size_t> corners;
-  for (const auto& face : surface.faces)
-    for (std::size_t k = 2; k < face.size(); ++k)
-      corners.insert(corners.end(), {face[0], face[k - 1], face[k]});
+  DFS::internal::for_each_triangle(surface.faces, surface.points.size(),
+                                   [&](std::size_t i, std::size_t j, std::size_t k, std::size_t) {
+                                     corners.insert(corners.end(), {i, j, k});
+                                   });
   return corners;
 }
 

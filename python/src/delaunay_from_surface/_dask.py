@@ -39,23 +39,22 @@ class DaskTiles:
     def __len__(self) -> int:
         return len(self.numbers_of_cells)
 
-    @property
-    def _key(self) -> str:
-        """A part of the names of tasks: those of another run in this folder are not the same."""
-        return f"{self.report['hash']}-{self.numbers_of_cells}"
+    def _key(self, k: int) -> str:
+        """A part of the names of tile k's tasks: those of another run in this folder are not the same."""
+        return f"{self.report['hash']}-{len(self)}-{self.numbers_of_cells[k]}"
 
     def __getitem__(self, k: int) -> Any:
         """Tile k: a `dask.delayed` of a `Tile`."""
         from dask import delayed
         if not 0 <= k < len(self):
             raise IndexError(f"there are tiles 0 to {len(self) - 1}")
-        return delayed(_read_tile, pure=True)(self.folder, k, self._key)
+        return delayed(_read_tile, pure=True)(self.folder, k, self._key(k))
 
     def cells(self) -> Any:
         """The finite cells of all tiles: a `dask.array` of shape (m, 4) with places in the input, a chunk for each tile."""
         from dask import array, delayed
         read = delayed(_read_cells, pure=True)
-        return array.concatenate([array.from_delayed(read(self.folder, k, self._key), (n, 4), np.int64)
+        return array.concatenate([array.from_delayed(read(self.folder, k, self._key(k)), (n, 4), np.int64)
                                   for k, n in enumerate(self.numbers_of_cells)])
 
 

@@ -261,13 +261,7 @@ class Periodic3(Delaunay3):
             simplex, offset = found
         elif simplex is None:
             raise ValueError("barycentric: there are offsets, but no simplices")
-        numbers_of = np.asarray(_core.read_alike(simplex, "simplex")).reshape(-1)
-        offsets = np.asarray(_core.read_alike(offset, "offset"))
-        for name, array in (("simplex", numbers_of), ("offset", offsets)):
-            if array.dtype.kind not in "iu":
-                raise TypeError(f"barycentric: {name}: expected integers, got entries of type {array.dtype}")
-        if numbers_of.dtype.kind == "u":  # none must become -1
-            numbers_of = np.minimum(numbers_of.astype(np.uint64), 2 ** 63 - 1)
+        numbers_of, offsets = self._integers("simplex", simplex).reshape(-1), self._integers("offset", offset)
         if len(numbers_of) != len(queries) or offsets.size != 3 * len(queries):
             raise ValueError(f"barycentric: {len(numbers_of)} simplices and {offsets.size} numbers of offsets for "
                              f"{len(queries)} points")

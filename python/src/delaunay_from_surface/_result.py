@@ -270,12 +270,8 @@ class Delaunay3(Cells):
         plane; IndexError for a simplex that does not exist; TypeError if simplices are no integers.
         """
         self._needs_space("barycentric")
-        given = self.find_simplex(xi, threads=threads) if simplex is None else _core.read_alike(simplex, "simplex")
-        numbers_of = np.asarray(given).reshape(-1)
-        if numbers_of.dtype.kind not in "iu":
-            raise TypeError(f"barycentric: simplex: expected integers, got entries of type {numbers_of.dtype}")
-        if numbers_of.dtype.kind == "u":  # none must become -1
-            numbers_of = np.minimum(numbers_of.astype(np.uint64), 2 ** 63 - 1)
+        given = self.find_simplex(xi, threads=threads) if simplex is None else simplex
+        numbers_of = self._integers("simplex", given).reshape(-1)
         queries, shape = self._rows_of(xi)
         if len(numbers_of) != len(queries):
             raise ValueError(f"barycentric: {len(numbers_of)} simplices for {len(queries)} points")
@@ -403,6 +399,13 @@ class Delaunay3(Cells):
     def _mesh(self) -> Tuple[Coordinates, Indices]:
         """Points and cells in one piece, as programs for meshes take them."""
         return self.points, np.ascontiguousarray(self.simplices)
+
+    @staticmethod
+    def _integers(name: str, given: ArrayLike) -> Any:
+        array = np.asarray(_core.read_alike(given, name))
+        if array.dtype.kind not in "iu":
+            raise TypeError(f"barycentric: {name}: expected integers, got entries of type {array.dtype}")
+        return array if array.dtype.kind == "i" else np.minimum(array.astype(np.uint64), 2 ** 63 - 1)  # none becomes -1
 
     def _needs_space(self, name: str) -> None:
         if self.dimension < 3:

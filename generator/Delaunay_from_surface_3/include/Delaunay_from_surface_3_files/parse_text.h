@@ -109,8 +109,8 @@ inline std::size_t end_of_line(std::string_view text, std::size_t begin = 0)
   return begin;
 }
 
-// Where the next line begins: both together end one line, and so does what a text becomes that is
-// twice made one of Windows.
+// Where the next line begins. Both together end one line; a text that was converted for Windows twice
+// has two carriage returns.
 inline std::size_t behind_end_of_line(std::string_view text, std::size_t end)
 {
   for (const std::string_view both : {"\r\n", "\r\r\n"})

@@ -196,11 +196,11 @@ constexpr bool has_exact_predicates()
   return has_filtered_predicates<GeomTraits> || std::is_same<Is_exact, Tag_true>::value;
 }
 
-// Returns true if the core knows the numbers and predicates of the triangulation. Traits that bring
-// predicates of their own are not served: its filters would go past them.
 template <class Kernel>
 using Orientation_of_kernel = decltype(std::declval<const Kernel&>().orientation_3_object());
 
+// Returns true if the core knows the numbers and predicates of the triangulation. Traits that bring
+// predicates of their own are not served: its filters would go past them.
 template <class Triangulation>
 constexpr bool serves_geom_traits()
 {

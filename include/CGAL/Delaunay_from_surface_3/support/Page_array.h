@@ -67,8 +67,8 @@ inline void take_pages([[maybe_unused]] void* begin, [[maybe_unused]] void* end)
 
 // Takes pages for what others are about to allocate in smaller pieces: gives them to glibc's heap,
 // which keeps them. If that maps the first of the allocations apart, its threshold for that grows when
-// it is given back, untouched, so that the others come from the heap: twice the same memory. Not so
-// if the user has fixed the threshold; what is mapped apart begins two words behind a page.
+// it is given back, untouched, so that the others come from the heap, both at the same address. If
+// the user has fixed the threshold, they are mapped apart as well, and begin two words behind a page.
 inline void take_pages_for_heap([[maybe_unused]] std::size_t bytes)
 {
 #if defined(__GLIBC__)

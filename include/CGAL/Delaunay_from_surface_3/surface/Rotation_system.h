@@ -125,7 +125,7 @@ void refuse_bad_indices(const VertexRange& range, VertexIndexMap index, std::siz
     if (i >= n || is_taken[i])
       refuse("the vertex index map is no bijection onto 0 .. n-1: n is " + std::to_string(n) +
              " and index " + std::to_string(i) +
-             (i < n ? " is there twice" : " is too large; remedy: collect_garbage() of the mesh"));
+             (i < n ? " is there twice" : " is too large; remedy: call collect_garbage() first"));
     is_taken[i] = true;
   }
 }

@@ -166,8 +166,8 @@ Tiles_report run_until_certified(Engine& engine, const Tile_source_3& source, Ti
 }
 
 // Tells Tiles_options::progress how much of a stage is done, by one thread at a time; throws
-// Tiles_stopped if progress returns false, which is not asked again, nor after it has thrown. Keeps a
-// reference.
+// Tiles_stopped if progress returns false. After that, or an exception of its own, progress is not
+// called again. Keeps a reference.
 class Stage_progress
 {
 public:

@@ -182,8 +182,9 @@ public:
     const std::size_t last = (std::min)(first + block, m_complex.capacity());
     if (first >= last)
       return false;
+    // Pages are taken for many blocks at once, by the worker whose block has their first cell.
     constexpr std::size_t piece = small_pages / sizeof(Compact_cell);
-    const std::size_t begin = (last - 1) / piece * piece; // of the piece of the last cell
+    const std::size_t begin = (last - 1) / piece * piece;
     if (begin >= first)
       m_complex.touch_cells(begin, (std::min)(begin + piece, m_complex.capacity()));
     m_marks.clear(first, last);
